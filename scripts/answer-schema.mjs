@@ -142,7 +142,7 @@ export function answerSchema() {
     $id: "urn:touchpath:answers:1",
     title: "What Touchpath answers",
     description:
-      "By name in $defs. A later version adds keys: whoever reads passes over what is not known. The job is that of schema.json.",
+      "By name in $defs. A later version adds keys: readers pass over unknown keys. The job is that of schema.json.",
     $defs: reached(all, names),
   };
 }

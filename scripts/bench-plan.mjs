@@ -378,7 +378,7 @@ ratio(
   "type 7, 4 touches",
 );
 
-// Calls of a control's own cycles: calls and their path, a run on the displaced part, the program. The same job as LinuxCNC's moves is 1.
+// Calls of native cycles: calls and their path, a run on the displaced part, the program. The same job as LinuxCNC's moves is 1.
 console.log(
   "\nOwn cycles, plan / plan of LinuxCNC's moves, wasm   type 7   hole   web",
 );

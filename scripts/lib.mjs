@@ -222,7 +222,7 @@ export function ensureWasmPack() {
   return folder;
 }
 
-/** apt-get, for root or whoever may use sudo. */
+/** apt-get, for root or a user with sudo. */
 function apt(/** @type {string[]} */ ...args) {
   const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
   const [command, ...rest] = [...sudo, "apt-get", ...args];

@@ -1,4 +1,4 @@
-//! What a person reads, as a template and its values: composed in English here, and in any language by whoever has the words.
+//! What a person reads, as a template and its values: composed in English here, and in another language where its words are.
 
 use std::fmt;
 
@@ -32,7 +32,7 @@ macro_rules! text {
 }
 pub(crate) use text;
 
-/// A `&'static str` that is shown as it stands: words, like a template without names. It marks them for the lists of words.
+/// A `&'static str` that is shown as it is: words, like a template without names. It marks them for the lists of words.
 macro_rules! words {
     ($words:literal) => {
         $words
@@ -41,7 +41,7 @@ macro_rules! words {
 pub(crate) use words;
 
 impl Text {
-    /// Words that stand somewhere as data: the label of a field, what a rule asks.
+    /// Words in data: the label of a field, what a rule asks.
     pub fn words(words: &'static str) -> Self {
         Text {
             template: words,
@@ -142,7 +142,7 @@ impl fmt::Display for Text {
     }
 }
 
-/// As a list: the template, then what stands in place of its names, each a string or such a list itself.
+/// As a list: the template, then what is in place of its names, each a string or such a list itself.
 impl Serialize for Text {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(Some(1 + self.values.len()))?;

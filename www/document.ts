@@ -62,7 +62,7 @@ export abstract class Document extends Output {
   typed = new Map<string, string>();
   /** The points that a machine measured for this job. */
   protected points = noPoints();
-  /** Whether the page around gave them: the user's undo keeps them then. */
+  /** Whether the host page gave them: the user's undo keeps them then. */
   protected pointsGiven = false;
   /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
   protected given: Set<string> | null = new Set();
@@ -75,7 +75,7 @@ export abstract class Document extends Output {
   protected shut = false;
   /** Whether the current change is by the host page. */
   protected host = false;
-  /** The name that the job has by itself: while it has this one, it follows what is measured. Null where the job is another one. */
+  /** The default name of the job: while the job has it, the name follows what is measured. Null for another job. */
   protected ownName: string | null = null;
   /** The number of documents so far. */
   protected documents = 0;
@@ -84,7 +84,7 @@ export abstract class Document extends Output {
   /** The control that the job was for before this one. */
   protected beforeControl: Draft | null = null;
 
-  /** The rules of the page around. */
+  /** The rules of the host page. */
   get rules(): Rules {
     return this.outside.rules;
   }
@@ -136,7 +136,7 @@ export abstract class Document extends Output {
   }
 
   set measured(text: string) {
-    // What the page around sets is not a step of the user's.
+    // What the host page sets is not a step of the user's.
     if (this.byUser) this.mark("measured");
     this.pointsGiven = !this.byUser;
     this.points = { ...this.points, [this.units]: text };
@@ -393,7 +393,7 @@ export abstract class Document extends Output {
     this.ownName = name;
   }
 
-  /** The default job of a cycle in the job's units, with what the rules of the page around say of it. */
+  /** The default job of a cycle in the job's units, with what the rules of the host page say of it. */
   protected freshOf(type: Cycle["type"]): Draft {
     return this.rules.laid(
       structuredClone(defaultJob(type, this.units)) as unknown as Draft,

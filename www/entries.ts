@@ -18,10 +18,10 @@ export type Form = PostEntry["cycles"][number]["form"];
 
 /** Looks up the job's own entries of the catalog. */
 export abstract class Entries extends Phrases {
-  /** The job as it stands in the form. */
+  /** The job as it is in the form. */
   abstract draft: Draft;
 
-  /** The rules of the page around. */
+  /** The rules of the host page. */
   abstract readonly rules: Rules;
 
   /** The entry of the job's cycle. */
@@ -53,7 +53,7 @@ export abstract class Entries extends Phrases {
     return this.catalog.posts.find((post) => post.id === id);
   }
 
-  /** The forms in which a control takes a cycle; none where it does not. */
+  /** The forms in which a control takes a cycle; none if it does not. */
   formsOf(post: unknown, type: string): Form[] {
     const takes =
       this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ??
@@ -63,7 +63,7 @@ export abstract class Entries extends Phrases {
       .filter((form) => this.rules.allowsForm(form));
   }
 
-  /** Whether the control's own cycle corrects the active preset by itself, so that no work offset is chosen. */
+  /** Whether the native cycle corrects the active preset, so that no work offset is chosen. */
   ownPreset(post: unknown, type: string): boolean {
     const forms =
       this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ??

@@ -1,4 +1,4 @@
-// The cycles of a set-up. The one in hand stands in the form, as a job of one cycle does; the others wait here.
+// The cycles of a set-up. The active one is in the form, like a job of one cycle; the others are kept here.
 
 import type { Catalog, Relation } from "./core/browser.js";
 import { jobName } from "./core/browser.js";
@@ -52,7 +52,7 @@ const ofName = (name: string, all: Draft): Draft => {
 };
 const same = (one: string, other: string) =>
   one.toLowerCase() === other.toLowerCase();
-/** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
+/** Name of the cycle or relation in a path: `BORE` for `BORE.diameter`. */
 export const head = (of: string) => of.split(".")[0] ?? of;
 
 /** A cycle whose place, rotation and sizes may follow results of another one, by its new name. */
@@ -88,7 +88,7 @@ const MOST_NAME = 12;
 export class Features {
   /** All cycles in their order; empty for a job of one cycle. */
   all: Feature[] = [];
-  /** Which of them stands in the form. */
+  /** Which of them is in the form. */
   hand = 0;
   /** Height between the cycles; null is as high as the highest begins and ends. */
   clear: number | null = null;

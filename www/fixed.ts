@@ -1,4 +1,4 @@
-// The fields of a job that the user cannot change, since the page around fixes them.
+// The fields of a job that the user cannot change, since the host page fixes them.
 import { type Draft, isObject, putAt, valueAt } from "./job.js";
 
 const typeOf = (job: Draft) => (job.cycle as Draft | undefined)?.type;

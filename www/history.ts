@@ -9,7 +9,7 @@ export class History<Moment> {
   /** What the last change was of: further changes of the same belong to the same step. */
   private changing: string | null = null;
 
-  /** Before a change: what it is of decides whether it is a step of its own. */
+  /** Before a change: its path decides whether it is a step of its own. */
   mark(changing: string | null, now: () => Moment): void {
     if (changing !== null && changing === this.changing) return;
     this.past.push(now());
@@ -43,7 +43,7 @@ export class History<Moment> {
     return this.future.length > 0;
   }
 
-  /** The moment before the last step; none where there is no step. */
+  /** The moment before the last step; none if there is no step. */
   undo(now: () => Moment): Moment | undefined {
     return this.turn(this.past, this.future, now);
   }

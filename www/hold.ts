@@ -1,7 +1,7 @@
 // Before the module is there the page can be read, and its fields typed into: what is typed waits. All else that could be pressed does nothing until then.
 import { letterOf } from "./parts/keys.js";
 
-/** The keys that act with Ctrl wherever they are pressed. Those of undo are left to the field: nothing else can be undone yet. */
+/** The keys that act with Ctrl on the whole page. Those of undo are left to the field: nothing else can be undone yet. */
 const COMMANDS = ["k", "s"];
 const UNDO = ["y", "z"];
 /** What the picture answers once there is one. */

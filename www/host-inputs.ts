@@ -1,4 +1,4 @@
-// What the page around the element puts in and asks for, and which jobs were sent to it.
+// What the host page puts in and asks for, and which jobs were sent to it.
 import {
   type Config,
   type Cycle,
@@ -20,14 +20,14 @@ const ECHO = 1000;
 export type Input = "job" | "cycle" | "post" | "units" | "config" | "measured";
 type Setting = "lang" | "readonly";
 
-/** What the page around asks for. It holds for every job that does not name its own. */
+/** What the host page asks for. It holds for every job that does not name its own. */
 export interface Asked {
   cycle?: Cycle["type"];
   post?: string;
   units?: Units;
 }
 
-/** Where in the job an input stands. */
+/** Where in the job an input is. */
 const PATHS: Readonly<Record<string, string>> = {
   cycle: "cycle.type",
   post: "control.post",
@@ -74,9 +74,9 @@ export class Outside {
   /** The jobs that were sent by `job-change`, and when. */
   private sentJobs: { json: string; at: number }[] = [];
   private asked: Asked = {};
-  /** The rules of the page around. */
+  /** The rules of the host page. */
   rules = new Rules();
-  /** The job that the page around gave last, as it gave it, and what became of it. */
+  /** The job that the host page gave last, as it gave it, and what became of it. */
   private given: { job: Draft; whole: Draft } | null = null;
 
   constructor(private readonly store: Jobs) {}
@@ -94,12 +94,12 @@ export class Outside {
     this.sentJobs = [];
   }
 
-  /** The control that the page around asks for. */
+  /** The control that the host page asks for. */
   get post(): string | undefined {
     return this.asked.post;
   }
 
-  /** A job with what the page around asks for, and what its rules say, in the place of what it does not name. What is no object stays what it is. */
+  /** A job with what the host page asks for, and what its rules say, in the place of what it does not name. What is no object stays what it is. */
   filled(job: unknown, asked: Asked = this.asked): unknown {
     const whole = this.named(job, asked);
     return isObject(whole) ? this.rules.filled(whole) : whole;
@@ -125,7 +125,7 @@ export class Outside {
     return whole;
   }
 
-  /** The default job of a cycle, for the control and in the units that the page around asks for. */
+  /** The default job of a cycle, for the control and in the units that the host page asks for. */
   fresh(type: Cycle["type"]): Draft {
     const { post, units } = this.asked;
     const job = structuredClone(
@@ -143,7 +143,7 @@ export class Outside {
       : job;
   }
 
-  /** Warnings where the job names another control, or other units, than the page around asks for. */
+  /** Warnings where the job names another control, or other units, than the host page asks for. */
   differences(): Finding[] {
     const { asked, store } = this;
     const found: Finding[] = [];
@@ -342,7 +342,7 @@ export class Outside {
     }
   }
 
-  /** The page around asks for none any more; the job stays as it is. */
+  /** The host page asks for none any more; the job stays as it is. */
   release(input: keyof Asked | "config"): void {
     if (input === "config") {
       if (!this.rules.config) return;

@@ -13,7 +13,7 @@ export type Draft = Record<string, unknown>;
 
 export const isObject = (value: unknown): value is Draft =>
   typeof value === "object" && value !== null && !Array.isArray(value);
-/** Left out, or null: the default stands in. */
+/** Left out, or null: the default applies. */
 export const isOut = (value: unknown) => value === undefined || value === null;
 
 /** A job that fits, with every key that it leaves out at the catalog's default in its own units. */
@@ -50,7 +50,7 @@ export function complete(job: Draft, catalog: Catalog): Draft {
   return structuredClone(whole);
 }
 
-/** `undefined` is "not there": the base stands in. */
+/** `undefined` is "not there": the base applies. */
 function over(base: unknown, given: unknown): Draft {
   const said = isObject(given)
     ? Object.entries(given).filter(([, value]) => value !== undefined)
@@ -74,7 +74,7 @@ export function alike(a: unknown, b: unknown): boolean {
   );
 }
 
-/** What of a job is of one of its cycles. */
+/** The parts of a job that belong to one of its cycles. */
 export interface Own {
   cycle: Draft;
   /** How much larger the sizes of the virtual part are. */
@@ -83,7 +83,7 @@ export interface Own {
   tolerances: Draft;
 }
 
-/** What of a job is of a cycle, in other units. */
+/** The parts of a job that belong to a cycle, in other units. */
 export function ownIn(
   units: "mm" | "inch",
   { cycle, sizes, tolerances }: Own,

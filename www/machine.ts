@@ -50,7 +50,7 @@ export abstract class Machine extends Document {
 
   /**
    * The control for another cycle: that of the job if it takes the cycle, else the one before it, else the one that the cycle is usually for. The
-   * control that the page around asks for stays: where it does not take the cycle, the job has an error.
+   * control that the host page asks for stays: where it does not take the cycle, the job has an error.
    */
   protected takeControl(type: string, usual: Draft): void {
     const old = this.draft.control as Draft;
@@ -72,7 +72,7 @@ export abstract class Machine extends Document {
     }
   }
 
-  /** Whether a control takes a cycle, or the page around asks for it. */
+  /** Whether a control takes a cycle, or the host page asks for it. */
   protected serves(post: unknown, type: string): boolean {
     return post === this.outside.post || this.formsOf(post, type).length > 0;
   }

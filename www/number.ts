@@ -166,7 +166,7 @@ function sum(text: string): number | null {
   };
 
   const value = terms();
-  // 0.1+0.2 is 0.3 to whoever typed it.
+  // 0.1+0.2 is 0.3 to the user.
   return next === words.length && words.length > 0 && Number.isFinite(value)
     ? words.length === 1
       ? value

@@ -65,9 +65,9 @@ export abstract class Output extends Entries {
   document = 0;
   /** Whether `plan` belongs to an earlier state because the job has errors. */
   stale = false;
-  /** The document that `plan` is of. */
+  /** The document of `plan`. */
   protected planned = -1;
-  /** The job that `plan` is of. */
+  /** The job of `plan`. */
   shown!: Draft;
   /** The move that is pointed at, or else the one that is pinned. */
   highlight: number | null = null;
@@ -78,7 +78,7 @@ export abstract class Output extends Entries {
   /** What was saved, by the names of the files. */
   protected files = new Map<string, string>();
 
-  /** What the page around puts in. */
+  /** What the host page puts in. */
   abstract readonly outside: Outside;
 
   /** The whole job. */
@@ -172,7 +172,7 @@ export abstract class Output extends Entries {
     return path;
   }
 
-  /** Whether the plan is of a cycle of the control's own. */
+  /** Whether the plan uses a native cycle. */
   get ownCycle(): boolean {
     return (this.shown.control as Draft | undefined)?.form === "cycle";
   }

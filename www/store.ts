@@ -32,7 +32,7 @@ interface State {
 
 /** The state of the page: machine, features and document of the job, its plan, and what is stored in the browser. */
 export class Store extends PartEditor {
-  /** What the page around puts in. */
+  /** What the host page puts in. */
   readonly outside = new Outside(this);
   /** Message about the state found in the browser's storage. */
   notice: Said | null = null;
@@ -190,7 +190,7 @@ export class Store extends PartEditor {
     return this.camAsked ?? this.cams;
   }
 
-  /** The user's choice, also by a dump that was opened. What the page around asks for goes before it. */
+  /** The user's choice, also by a dump that was opened. What the host page asks for goes before it. */
   set cam(on: boolean) {
     if (this.camAsked !== null || on === this.cams) return;
     this.cams = on;
@@ -198,14 +198,14 @@ export class Store extends PartEditor {
     this.showCam();
   }
 
-  /** What the page around asks for; null leaves it to the user. */
+  /** What the host page asks for; null leaves it to the user. */
   askCam(on: boolean | null): void {
     const before = this.cam;
     this.camAsked = on;
     if (this.cam !== before) this.showCam();
   }
 
-  /** Whether the page around asks for it, or for its absence. */
+  /** Whether the host page asks for it, or for its absence. */
   get camIsAsked(): boolean {
     return this.camAsked !== null;
   }

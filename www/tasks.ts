@@ -9,14 +9,14 @@ export type Task = { read: string } | { run: string; known: ProgramKnown };
 /** What comes of a task. */
 export type Answer<T extends Task> = T extends { read: string } ? Reading : Ran;
 
-/** A request to the page around the element. The page sets `answer` if it has a worker. */
+/** A request to the host page. The page sets `answer` if it has a worker. */
 export interface Asked<T extends Task> {
   task: T;
   signal: AbortSignal;
   answer: Promise<Answer<T>> | null;
 }
 
-/** Asks the page around an element for a worker; `null` if it has none. */
+/** Asks the host page an element for a worker; `null` if it has none. */
 export function askFor<T extends Task>(
   host: EventTarget,
   task: T,

@@ -1,4 +1,4 @@
-// The languages of the page: their words are loaded when they are wanted, and English is what stands in the sources.
+// The languages of the page: their words are loaded when they are wanted, and English is what is in the sources.
 import type { Catalog, FieldEntry, Words } from "./core/types.js";
 
 /** The languages that have words, each by its own name. */
@@ -18,7 +18,7 @@ const LOAD: Record<Exclude<Lang, "en">, () => Promise<{ default: Words }>> = {
   ru: () => import("./words/ru.json"),
 };
 
-/** Marks English words that stand as data, so that the lists of words must have them. */
+/** Marks English words in data, so that the lists of words must have them. */
 export const w = (english: string): string => english;
 
 /** Chinese that is written in traditional characters, by its script or by where it is spoken. */

@@ -22,7 +22,7 @@ pub fn fill(config: &Config, job: &Value) -> Value {
         _ => job.get("cycle"),
     };
     let def = first.and_then(type_of);
-    // What stands around the cycle is filled in whatever it is.
+    // What is around the cycle is filled in whatever it is.
     let Value::Map(values) = values(config, def.unwrap_or(cycle::CYCLES[0]), units) else {
         return job;
     };
@@ -155,7 +155,7 @@ fn post_for<'a>(
     all.iter().find(fits).or(all.first()).copied()
 }
 
-/// Whether the control's own cycle sets the active preset of a job by itself: the job then names no work offset.
+/// Whether the native cycle sets the active preset of a job: the job then names no work offset.
 pub fn writes_itself(job: &Value) -> bool {
     let def = job.get("cycle").and_then(type_of);
     job.get("control")

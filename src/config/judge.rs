@@ -69,7 +69,7 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
     checker.findings()
 }
 
-/// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether what stands around the cycle is judged, too.
+/// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether what is around the cycle is judged, too.
 fn judge_single(
     config: &Config,
     job: &Value,
@@ -179,7 +179,7 @@ fn judge_word(
     checker.error("not-allowed", in_place(path), message);
 }
 
-/// Judges what is written. A control's own cycle that sets the active preset names no work offset: it is allowed if any work offset is.
+/// Judges what is written. A native cycle that sets the active preset names no work offset: it is allowed if any work offset is.
 fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker: &mut Checker) {
     let Some(allowed) = &config.allow.work_offsets else {
         return;
@@ -228,7 +228,7 @@ fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker
     checker.error("not-allowed", "control.workOffset", message);
 }
 
-/// Why a value is refused; none where it may be. `wanted` is the config's value in the job's units.
+/// Why a value is refused; `None` if it may be. `wanted` is the config's value in the job's units.
 fn refusal(
     config: &Config,
     rule: &Rule,

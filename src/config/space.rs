@@ -7,7 +7,7 @@ use crate::path::{Path, Purpose, most};
 /// The travel of the machine and its keep-out zones, in the work coordinate system, mm.
 #[derive(Debug)]
 pub struct Space {
-    /// Where the ball's centre can go; none where that is not known.
+    /// Where the ball's centre can go; `None` if that is not known.
     pub travel: Option<Zone>,
     pub keep_out: Vec<Zone>,
 }
@@ -27,7 +27,7 @@ pub struct Piece {
     to: Vec3,
     /// How far a result that its cycle follows may shift it along each axis, mm.
     shift: Vec3,
-    /// Index of the move that it is of.
+    /// Index of the move.
     index: usize,
     /// Whether it is the search past the nominal contact.
     search: bool,

@@ -8,7 +8,7 @@ use crate::text::{Text, text};
 /// How a program writes a work offset at its end, after [`Request::does`] in a header.
 pub(super) const ONCE: &str = ": selected first, written once, at the very end";
 
-/// What cycle 1411 does by itself after probing.
+/// What cycle 1411 does after probing.
 struct Preset {
     /// The axes of the active preset that Q1120 corrects, in the order X, Y, Z.
     axes: Vec<&'static str>,
@@ -19,7 +19,7 @@ struct Preset {
 }
 
 impl Request<'_> {
-    /// What the program writes: of its work offset the axes in the order X, Y, Z, then the rotation; what the control's own cycle writes to the
+    /// What the program writes: of its work offset the axes in the order X, Y, Z, then the rotation; what the native cycle writes to the
     /// active preset, likewise. Empty where it measures only.
     pub fn writes(&self) -> Vec<&'static str> {
         if let Some(preset) = self.preset() {
@@ -117,7 +117,7 @@ impl Request<'_> {
         })
     }
 
-    /// What the control's own cycle does to the active preset; none where the program itself writes.
+    /// What the native cycle does to the active preset; `None` if the program itself writes.
     fn preset(&self) -> Option<Preset> {
         let circles = self
             .path

@@ -217,7 +217,7 @@ pub struct HeaderLines<'t> {
     pub name: Option<&'t str>,
     /// Paths and values of the job.
     pub values: Vec<(&'t str, &'t str)>,
-    /// Whether the lines below are those that it was written for; none where it says no hash.
+    /// Whether the lines below are those that it was written for; `None` if it says no hash.
     pub unchanged: Option<bool>,
 }
 

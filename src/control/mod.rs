@@ -57,7 +57,7 @@ pub const POSTS: &[&PostDef] = &[
 pub enum Form {
     /// Plain moves and touches, a block each.
     Moves,
-    /// The control's own cycle.
+    /// The native cycle.
     Cycle,
 }
 
@@ -163,7 +163,7 @@ pub struct PostDef {
     pub extension: &'static str,
     /// Highest number of a work offset the control takes; 0 where a program cannot write one.
     pub work_offsets: i32,
-    /// Whether its own cycle for this corrects the active preset by itself: no work offset is chosen then.
+    /// Whether its native cycle corrects the active preset: no work offset is chosen then.
     pub own_preset: fn(Subject) -> bool,
     /// How a work offset is called, by its number.
     pub work_offset_word: fn(i32) -> String,
@@ -171,7 +171,7 @@ pub struct PostDef {
     pub rotates: bool,
     /// The fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
-    /// Fields that a program of the control's own cycles ignores, as paths of the job.
+    /// Fields that a program of native cycles ignores, as paths of the job.
     pub unused_by_cycles: &'static [&'static str],
     /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
@@ -267,7 +267,7 @@ impl PostDef {
         self.read.is_some()
     }
 
-    /// Why its programs cannot do something; none where they can.
+    /// Why its programs cannot do something; `None` if they can.
     pub fn why_not(&self, what: &str) -> Option<&'static str> {
         let known = self.cannot.iter().find(|(known, _)| *known == what);
         known.map(|(_, why)| *why)
@@ -315,7 +315,7 @@ pub struct Request<'a> {
     pub setup: &'a Setup,
     /// Feeds in mm/min; none is rapid.
     pub feeds: &'a Feeds,
-    /// Tool number of the probe, for programs that call it; none where the probe is in the spindle.
+    /// Tool number of the probe, for programs that call it; `None` if the probe is in the spindle.
     pub tool: Option<i32>,
     /// Whether positioning is to be watched by the probe, where the control can.
     pub protected: bool,
@@ -382,7 +382,7 @@ impl Request<'_> {
         }
     }
 
-    /// Whether the program is read back and followed: one of calls is, where the control's own cycles say so.
+    /// Whether the program is read back and followed: one of calls is, where native cycles say so.
     pub fn is_followed(&self) -> bool {
         let calls = self.form == Form::Cycle && self.post.own.is_some_and(|own| !own.followed);
         self.post.read.is_some() && !calls
@@ -406,13 +406,13 @@ impl Request<'_> {
 pub struct Program {
     /// The text, lines ended by a line feed.
     pub text: String,
-    /// For each move the 0-based line that makes it; none where the control makes it by itself.
+    /// For each move the 0-based line that makes it; `None` if the control makes it without a block.
     pub move_lines: Vec<Option<usize>>,
     /// How many characters a block may have, where one has more.
     pub too_long: Option<usize>,
 }
 
-/// The number of the program of a job with this number and this name; none where the control's programs have none.
+/// The number of the program of a job with this number and this name; `None` if the control's programs have none.
 pub fn program_number(post: &PostDef, number: Option<i32>, name: &str) -> Option<i32> {
     (!post.unused.contains(&"number")).then(|| number::number(number, name))
 }
@@ -533,7 +533,7 @@ fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// What the header says of the angle at which the spindle stands.
+/// What the header says of the angle at which the spindle is.
 fn orientation_line(request: &Request<'_>) -> String {
     match request.orients() {
         Some(angle) => {

@@ -25,7 +25,7 @@ pub trait Moves {
     /// Everything before the first move: the header, checks of the control's state, modes.
     fn begin(&mut self, w: &mut Writer<'_>);
 
-    /// The moves that each cycle of the control makes by itself; they compute and write the results, too.
+    /// The moves that each native cycle makes; native cycles compute and write the results, too.
     fn own_cycles(&self) -> Vec<Range<usize>> {
         Vec::new()
     }
@@ -33,7 +33,7 @@ pub trait Moves {
     /// The blocks that call one of these.
     fn call(&self, _which: usize, _w: &mut Writer<'_>) {}
 
-    /// To the first place, from wherever the stylus stands.
+    /// Approach to the first position from any position of the stylus.
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
 
     /// A positioning move from a known place.
@@ -68,7 +68,7 @@ pub trait Moves {
     /// The one write of a work offset.
     fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
 
-    /// Shows the results to whoever stands at the control.
+    /// Shows the results to the operator.
     fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     /// The end, and the exits after it.
@@ -82,9 +82,9 @@ pub struct StoredCoordinate {
     pub variable: String,
     /// What the control has it in after a touch.
     pub source: String,
-    /// What stands around a sum that is divided.
+    /// What is around a sum that is divided.
     pub group: (&'static str, &'static str),
-    /// What stands around a value of more than one term.
+    /// What is around a value of more than one term.
     pub whole: (&'static str, &'static str),
     /// A comment after the block.
     pub comment: String,
@@ -143,7 +143,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                     computed += 1;
                 }
             }
-            // Of a control's own cycles alone.
+            // Of native cycles alone.
             Purpose::Search(_) => w.leaves_move(),
             Purpose::Back(_) => hooks.back(&mut w, place),
         }

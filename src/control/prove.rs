@@ -63,7 +63,7 @@ impl Fault {
     }
 }
 
-/// How far above and beside its first place a stylus is taken to stand, mm: along abscissa, ordinate and tool axis.
+/// How far above and beside its first place a stylus is taken to be, mm: along abscissa, ordinate and tool axis.
 const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 
 /// A program that was read and followed.
@@ -76,7 +76,7 @@ pub struct Followed<'t> {
     pub trace: Trace,
     /// Where the results have their values, to be run again with others.
     pub tail: Tail,
-    /// Its motions from below the first place, or below where the job says that the stylus is, up to the first place. None where nothing moves,
+    /// Its motions from below the first place, or below where the job says that the stylus is, up to the first place. None if nothing moves,
     /// or the control cannot ask.
     pub below: Vec<Step>,
     /// The triggers that the touches were given, by their order.
@@ -227,7 +227,7 @@ pub fn follow<'t>(
         .map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
-    // A job that says where the stylus stands has its program begin there.
+    // A job that says where the stylus is has its program begin there.
     let stated = request.path.start.map(|start| expected.written(start));
     let start = stated.unwrap_or_else(|| away(AWAY[2]));
     let highest = expected.place(request.highest())[request.plane.axes()[2]] + 2.0 * expected.digit;
@@ -294,7 +294,7 @@ pub fn follow<'t>(
     })
 }
 
-/// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
+/// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves are in.
 pub fn prove(
     request: &Request<'_>,
     followed: &Followed<'_>,

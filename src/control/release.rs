@@ -24,7 +24,7 @@ pub enum Refusal {
 }
 
 impl Released {
-    /// The program, what was proven of it (nothing of a control's own cycle), and what every rule says of it.
+    /// The program, what was proven of it (nothing of a native cycle), and what every rule says of it.
     pub fn into_parts(self) -> (Program, Option<Proof>, Vec<Verdict>) {
         (self.program, self.proof, self.verdicts)
     }
@@ -35,7 +35,7 @@ pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refu
     if let Some(most) = program.too_long {
         return Err(Refusal::TooLong(most));
     }
-    // What the control's own cycles do is modelled, and not read out of the program.
+    // What native cycles do is modelled, and not read out of the program.
     if !request.is_followed() {
         return Ok(Released {
             program,

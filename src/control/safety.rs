@@ -21,7 +21,7 @@ pub struct Rule {
     pub why: &'static str,
     /// Whether a program without it is refused. The others depend on what the job asks for.
     pub must: bool,
-    /// Whether a cycle of the control's own answers for it, so that nothing can be said here.
+    /// Whether a native cycle answers for it, so that nothing can be said here.
     pub own_cycle: bool,
     /// The lines that it is asked of, 0-based, whether they keep or break it.
     pub about: About,
@@ -72,13 +72,13 @@ pub struct Case<'a> {
 pub struct Verdict {
     /// Name of the rule.
     pub rule: &'static str,
-    /// None where this control cannot hold it, or its own cycle answers for it.
+    /// `None` if this control cannot hold it, or its own cycle answers for it.
     pub holds: Option<bool>,
     /// What the rule asks, what is wrong, or why the control cannot.
     pub message: Text,
     /// The lines that break it, 0-based.
     pub lines: Vec<usize>,
-    /// The lines that it was asked of, in their order; those of the control's own cycles where they answer for it.
+    /// The lines that it was asked of, in their order; those of native cycles where they answer for it.
     pub about: Vec<usize>,
     /// Whether a program without it is refused.
     pub must: bool,
@@ -257,7 +257,7 @@ pub static RULES: &[Rule] = &[
     },
 ];
 
-/// What every rule says of a program of a control's own cycle that is not followed.
+/// What every rule says of a program of a native cycle that is not followed.
 pub fn not_followed() -> Vec<Verdict> {
     let message = text!("The control's own cycle makes every move itself");
     RULES
@@ -884,7 +884,7 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     };
     asked.retain(|answer| answer.question.stops(true));
     let mut endings = endings(case);
-    // Each result by itself is beyond its limit, the others are what they should be; then all are beyond, and all a little within.
+    // Each single result is beyond its limit, the others are what they should be; then all are beyond, and all a little within.
     let mut writes = |off: Option<usize>, share: f64| {
         let outcome = outcome(&mut endings, &asked, off, share);
         !outcome.stops || outcome.writes

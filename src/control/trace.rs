@@ -24,7 +24,7 @@ pub struct Trace {
     pub writes: Vec<Write>,
     /// Where the ball reads to be in the written work offset after all writes, and by how much that is turned.
     pub written: Option<Written>,
-    /// The lines of the control's own cycles.
+    /// The lines of native cycles.
     pub natives: Vec<usize>,
     /// Whether the program comes to its end.
     pub ends: bool,
@@ -77,7 +77,7 @@ pub struct Step {
     pub contact: Ending,
     /// What a miss leads to, where the move must touch.
     pub miss: Ending,
-    /// What a probing move leads to if the probe is still deflected from the motion before it; none where that was watched.
+    /// What a probing move leads to if the probe is still deflected from the motion before it; `None` if that was watched.
     pub stuck: Option<Ending>,
 }
 
@@ -109,7 +109,7 @@ pub enum Kind {
 pub enum Ending {
     /// The program continues, or the move does not probe.
     GoesOn,
-    /// The control itself stops with an alarm where the ball stands.
+    /// The control itself stops with an alarm where the ball is.
     ControlStops,
     /// The program stops itself with an alarm.
     Exit {

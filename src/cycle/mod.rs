@@ -51,7 +51,7 @@ pub struct CycleDef {
     pub title: &'static str,
     /// What it measures, in a sentence, as a setter says it.
     pub says: &'static str,
-    /// What else it is looked for by: words that stand in neither its name nor its sentence.
+    /// What else it is looked for by: words that are in neither its name nor its sentence.
     pub also: &'static str,
     /// What the name of a job begins with that has none of its own.
     pub name: &'static str,
@@ -78,7 +78,7 @@ pub struct CycleDef {
         allow(dead_code, reason = "the documents are generated from it")
     )]
     pub readings: &'static [&'static str],
-    /// Where touches that are picked one by one put it, given its loose form; none where its touches cannot be picked.
+    /// Where touches that are picked one by one put it, given its loose form; `None` if its touches cannot be picked.
     pub place: Option<PlaceBy>,
     pub read: fn(&'static CycleDef, &mut Section<'_, '_>) -> Box<dyn Cycle>,
 }
@@ -90,7 +90,7 @@ impl CycleDef {
     }
 }
 
-/// Reads a loose form and says where picked touches put the feature, and which touches its dimensions give there; none where they do
+/// Reads a loose form and says where picked touches put the feature, and which touches its dimensions give there; `None` if they do
 /// not make one.
 pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<(Placement, Vec<Pick>)>;
 
@@ -119,7 +119,7 @@ pub trait Cycle {
     /// The surfaces of the feature alone, as [`Cycle::plan`] gives them.
     fn surfaces(&self, setup: &Setup) -> Vec<Surface>;
 
-    /// The same cycle with `delta` (mm or degrees) added to the size named `key`; none where there is no such size, or
+    /// The same cycle with `delta` (mm or degrees) added to the size named `key`; `None` if there is no such size, or
     /// where nothing of the feature would be left.
     fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
 

@@ -32,7 +32,7 @@ pub struct Catalog {
     pub code_groups: Vec<CodeGroup>,
     /// The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
     pub rapid_rate: f64,
-    /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
+    /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry.
     pub max_touches: usize,
     /// The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
     pub longest_text: usize,
@@ -94,11 +94,11 @@ pub struct RelationEntry {
     pub label: &'static str,
     /// What its results are, in English.
     pub says: &'static str,
-    /// Whether it is of places, by the names of cycles and relations that have one; else of single results.
+    /// Whether its operands are positions, named by their cycles and relations; else single results.
     pub places: bool,
-    /// The fewest that it is of.
+    /// The fewest operands.
     pub least: usize,
-    /// The most that it is of; null where it takes any number.
+    /// The most operands; null if it takes any number.
     pub most: Option<usize>,
     /// The codes of its results; of angles `.angle` is added to the first.
     pub results: &'static [&'static str],
@@ -267,13 +267,13 @@ pub struct SupportEntry {
     /// The value of `cycle.type`.
     #[serde(rename = "type")]
     pub key: &'static str,
-    /// `moves`: plain moves and touches. `cycle`: the control's own cycle.
+    /// `moves`: plain moves and touches. `cycle`: the native cycle.
     pub form: &'static str,
     /// Whether the control takes the cycle in this form.
     pub supported: bool,
     /// Why not; null where it does.
     pub reason: Option<&'static str>,
-    /// Whether this cycle of the control's own corrects the active preset by itself, so that no work offset is chosen.
+    /// Whether this native cycle corrects the active preset, so that no work offset is chosen.
     #[serde(rename = "ownPreset")]
     pub own_preset: bool,
 }

@@ -11,7 +11,7 @@ pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
     export_table_with_calls(plan, None, format)
 }
 
-/// The same, in `csv` and `json` with the words of the control's own cycles that take each row, as [`calls`](crate::job::calls) has them.
+/// The same, in `csv` and `json` with the words of native cycles that take each row, as [`calls`](crate::job::calls) has them.
 pub fn export_table_with_calls(
     plan: &Plan,
     calls: Option<&[Vec<String>]>,
@@ -82,7 +82,7 @@ pub fn export_table_with_calls(
     }
 }
 
-/// A value as it stands in a dump: numbers plainly and in full, text as it is.
+/// A value as it is in a dump: numbers plainly and in full, text as it is.
 fn value(row: &ParameterRow) -> String {
     match &row.value {
         ParameterValue::Whole(n) => n.to_string(),

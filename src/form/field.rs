@@ -514,7 +514,7 @@ impl Field {
 /// A type that a field's checked value has.
 pub trait Checked: Sized {
     /// Takes the value of `field` out of `section`, reporting what is wrong with it. Where nothing usable is there, the
-    /// default stands in, so that reading can continue; the report already says that no plan will be made.
+    /// default applies, so that reading can continue; the report already says that no plan will be made.
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self;
 
     /// The value as a plain one.
@@ -523,7 +523,7 @@ pub trait Checked: Sized {
     }
 }
 
-/// A checked value, whatever field it is of.
+/// A checked value of any field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shown {
     /// A length in mm, an angle in degrees, a feed.

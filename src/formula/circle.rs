@@ -16,7 +16,7 @@ pub struct CircleFit {
 }
 
 /// The circle with the least sum of squared distances (geometric, by Gauss and Newton); through three points the exact one.
-/// None where the points lie on a line or on one spot.
+/// `None` if the points lie on a line or on one spot.
 pub fn fit_circle(points: &[Vec2]) -> Option<CircleFit> {
     let mean = points.iter().sum::<Vec2>() / points.len() as f64;
     let near: Vec<Vec2> = points.iter().map(|p| *p - mean).collect();

@@ -8,7 +8,7 @@ use crate::geom::{Vec2, Vec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dual {
     pub value: f64,
-    /// The first of the samples that `by_touch` is of.
+    /// The sample of the first entry of `by_touch`.
     first: u16,
     /// Its change for a unit shift of each trigger along its probing direction.
     by_touch: [f64; MOST_SAMPLES],
@@ -75,7 +75,7 @@ impl Dual {
             }
             return;
         }
-        // What depends on no touch is of any samples.
+        // A value that depends on no touch fits any samples.
         if self.is_constant() {
             *self = other.clone();
             return self.map(value, other_slope);
@@ -255,7 +255,7 @@ impl Run<'_> {
         }
     }
 
-    /// Puts f of two operands into `out`. Most operands have a name: they are read where they stand.
+    /// Puts f of two operands into `out`. Most operands have a name: they are read where they are.
     fn two(&self, left: NodeId, right: NodeId, out: &mut Dual, f: impl Fn(f64, f64) -> Joined) {
         match (self.named(left), self.named(right)) {
             (Some(a), Some(b)) => *out = Dual::of(a, b, f(a.value, b.value)),

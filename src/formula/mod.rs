@@ -3,7 +3,7 @@
 //! A cycle states its arithmetic as a list of named assignments ([`Draft`]). A post prints it in its control's language, and the
 //! virtual part evaluates the very same list, with the derivative by each touch beside it ([`Dual`]). So what the page shows as the
 //! control's result is what the program computes, and the uncertainty comes from the same fit. Circles are fitted
-//! geometrically, as a control's own cycle does it; where a program has to do it in plain arithmetic, both use
+//! geometrically, as a native cycle does it; where a program has to do it in plain arithmetic, both use
 //! [`Formula::plain`].
 //!
 //! Angles are in degrees here, as controls take them.
@@ -160,7 +160,7 @@ impl Question {
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
     pub name: Name,
-    /// The cycle of a set-up that it is of.
+    /// Index of its cycle in a set-up.
     pub cycle: u16,
     pub node: NodeId,
 }
@@ -216,7 +216,7 @@ impl Role {
 pub struct ResultDef {
     /// Its code, `center.x`.
     pub code: &'static str,
-    /// The cycle of a set-up that it is of.
+    /// Index of its cycle in a set-up.
     pub cycle: u16,
     pub meaning: &'static str,
     /// How it behaves, and its unit.
@@ -225,7 +225,7 @@ pub struct ResultDef {
     pub nominal: f64,
     /// What its deviation is measured from, where that is not the nominal value: the middle of a tolerance zone.
     pub reference: f64,
-    /// The assignment that holds it; none where these touches cannot give it.
+    /// The assignment that holds it; `None` if these touches cannot give it.
     pub variable: Option<Variable>,
     /// Its tolerance, where the job gives one.
     pub tolerance: Option<Tolerance>,
@@ -273,7 +273,7 @@ pub struct Datum {
 /// One coordinate of the point that a work offset is corrected by.
 #[derive(Clone, Copy, Debug)]
 pub struct Coordinate {
-    /// The assignment with what was measured; none where nothing was, and the coordinate is taken to be its nominal one.
+    /// The assignment with what was measured; `None` if nothing was, and the coordinate is taken to be its nominal one.
     pub measured: Option<Variable>,
     /// What it is to read, mm.
     pub nominal: f64,
@@ -327,7 +327,7 @@ pub struct ResultRow {
     pub unit: Unit,
     /// What it is on the nominal part.
     pub nominal: Option<f64>,
-    /// What the control computes; none where these triggers cannot give it.
+    /// What the control computes; `None` if these triggers cannot give it.
     pub value: Option<f64>,
     /// Value less nominal, or less the middle of the tolerance zone.
     pub deviation: Option<f64>,
@@ -410,7 +410,7 @@ impl Formula {
         self.written(draft, &variables)
     }
 
-    /// What a draft made of it, where its assignments stand there now.
+    /// What a draft made of it, where its assignments are there now.
     fn written(self, draft: Draft, variables: &[Variable]) -> Formula {
         debug_assert!(
             self.cycles.is_empty(),

@@ -24,7 +24,7 @@ pub struct RelationDef {
     pub places: bool,
     /// The fewest of them that it takes.
     pub least: usize,
-    /// The most; none where it takes any number.
+    /// The most; `None` if it takes any number.
     pub most: Option<usize>,
     /// The codes of its results, in their order; of angles `.angle` is added to the first.
     pub results: &'static [&'static str],
@@ -158,21 +158,21 @@ impl RelationDef {
         (self.problem)(of)
     }
 
-    /// What it comes to where its operands have these values. In the order of its results; none where places give no circle. `directions`: whether single
+    /// What it comes to where its operands have these values. In the order of its results; `None` if places give no circle. `directions`: whether single
     /// results are directions. It shares no expression with programs.
     pub fn values(&self, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
         (self.values)(of, directions)
     }
 }
 
-/// What a relation is of: a place by abscissa and ordinate, or a single result. Indexes into the list of results, each of a measured one.
+/// Operand of a relation: a position by abscissa and ordinate, or a single result. Indexes into the list of results, each of a measured one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operand {
     Place([usize; 2]),
     Result(usize),
 }
 
-/// A relation, and what it is of.
+/// A relation with its operands.
 #[derive(Clone, Debug)]
 pub struct Relating {
     pub relation: Relation,

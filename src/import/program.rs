@@ -405,7 +405,7 @@ fn of_tolerance(path: &str) -> Option<(String, String)> {
     ))
 }
 
-/// A value of a relation: its name and its type are texts, and so is every item of its list, which stands whole or item by item.
+/// A value of a relation: its name and its type are texts, and so is every item of its list, which is whole or item by item.
 fn set_relation(job: &mut Value, path: &str, given: &str) {
     let text = |text: &str| Value::Text(text.to_owned());
     let value = match given
@@ -508,7 +508,7 @@ fn word(def: &CycleDef, path: &str, text: &str) -> String {
     small_letters(text)
 }
 
-/// A text in which a small letter stands as a capital after a plus.
+/// A text in which a plus and a capital mean a small letter.
 fn small_letters(text: &str) -> String {
     let mut small = String::new();
     let mut signs = text.chars().peekable();
@@ -614,7 +614,7 @@ fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
             )
         })
         .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
-        // The number stands above the blocks.
+        // The number is above the blocks.
         .filter(|(_, tokens)| std::mem::replace(&mut begun, true) || !is_program_number(tokens))
         .collect()
 }
@@ -649,7 +649,7 @@ fn probes(text: &str) -> bool {
         .any(|word| text.contains(word))
 }
 
-/// Reads the moves of a program that says no job: for the first control that understands all of it. None where the text is no program: it
+/// Reads the moves of a program that says no job: for the first control that understands all of it. `None` if the text is no program: it
 /// neither comes to an end nor probes.
 pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut checker = Checker::default();

@@ -2,7 +2,7 @@
 
 use crate::control::iso::lex::{after, lines_of, trimmed, without_count, without_number};
 
-/// What a text is written for, as far as its signs say.
+/// The control that a text is written for, by its signs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     /// Names in `#< >`, O words: LinuxCNC.
@@ -35,7 +35,7 @@ const O_WORDS: [&str; 14] = [
     "continue",
 ];
 
-/// What of RepRapFirmware's expressions stands outside of braces, too.
+/// What of RepRapFirmware's expressions is outside of braces, too.
 const REP_RAP: [&str; 3] = ["param.", "global.", "var."];
 
 /// The first sign in a text. A code of a probing move says less than the rest.
@@ -75,7 +75,7 @@ fn is_linuxcnc(code: &str) -> bool {
         }
 }
 
-/// Whether a code of a probing move stands there: `G38.2`, `G31`.
+/// Whether a code of a probing move is there: `G38.2`, `G31`.
 fn probes(code: &str) -> Option<Sign> {
     let bytes = code.as_bytes();
     memchr::memchr2_iter(b'G', b'g', bytes).find_map(|at| match bytes[at + 1..] {

@@ -1,4 +1,4 @@
-//! Which words of the control's own cycles take which rows of the parameter table: found by moving each value a little and looking at what follows in the
+//! Which words of native cycles take which rows of the parameter table: found by moving each value a little and looking at what follows in the
 //! calls, so that nothing is said that the writer does not do.
 
 use crate::form::{Checker, Value};
@@ -19,7 +19,7 @@ const ORIGINAL: i32 = -200;
 /// How nearly values must agree, mm or degrees.
 const NEAR: f64 = 1e-7;
 
-/// For each row of the parameter table the words of the calls that follow it: `P9814 D`, `CYCLE977 5`. None where the job's program calls no cycles of the
+/// For each row of the parameter table the words of the calls that follow it: `P9814 D`, `CYCLE977 5`. `None` if the job's program calls no cycles of the
 /// control's own, or has errors.
 pub fn calls(value: &Value) -> Option<Vec<Vec<String>>> {
     let job = aside(&resolved(value)?);
@@ -77,7 +77,7 @@ fn planned(job: &Value) -> Option<Planned> {
     (!checker.failed() && planned.refused.is_empty()).then_some(planned)
 }
 
-/// The words of the calls; none where nothing is called.
+/// The words of the calls; `None` if nothing is called.
 fn words(planned: &Planned) -> Option<Vec<Word>> {
     let (own, cycles) = (planned.path.own.as_ref()?, planned.job.post.own?);
     let all = own.blocks.iter().flat_map(|(block, _)| {

@@ -12,7 +12,7 @@ use crate::text::{Text, text, words};
 
 /// A result that an axis of the work offset, or its rotation, can be written from.
 struct Candidate {
-    /// The cycle or relation that it is of.
+    /// The cycle or relation that measures it.
     of: usize,
     /// Its name: `BORE.center.x`.
     named: String,
@@ -113,7 +113,7 @@ pub fn read(
     (!checker.failed()).then_some(written)
 }
 
-/// What cycles of the control's own can write: each writes as soon as it has measured, and all that it measures.
+/// What native cycles can write: each writes as soon as it has measured, and all that it measures.
 fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     let members = &whole.members;
     let moves = members[0].job.post.moves();
@@ -229,7 +229,7 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         });
         found.collect::<Vec<_>>()
     };
-    // A control's own cycles write what they measure, and no relation.
+    // Native cycles write what they measure, and no relation.
     let count = if path.own.is_some() {
         path.members.len()
     } else {
@@ -361,7 +361,7 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
         .truth
         .zip(source.nominal)
         .map(|(truth, nominal)| tidy(truth - nominal));
-    // A tolerance is of the place and not of the shift.
+    // A tolerance limits the position, not the shift.
     let verdict = source
         .said
         .verdict

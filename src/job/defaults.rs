@@ -148,7 +148,7 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     Value::Map(job)
 }
 
-/// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
+/// A job with every value: what it does not say has the default value. `None` if it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     if is_set_up(job) {
         let limited = with_size_limit(job);
@@ -227,7 +227,7 @@ fn leave_usual(control: &mut Value) {
     }
 }
 
-/// The tolerances of a job in characters that a comment of any control takes; none where it has none.
+/// The tolerances of a job in characters that a comment of any control takes; `None` if it has none.
 fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
     let Some(Value::Map(entries)) = job
         .get(TOLERANCES)

@@ -10,7 +10,7 @@ use crate::job::plan::{plan_with_path, read, request};
 #[cfg(test)]
 use crate::job::planned::Planned;
 
-/// Asks something about the program that a job is to have; none where the job has errors.
+/// Asks something about the program that a job is to have; `None` if the job has errors.
 fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) -> Option<T> {
     let planned = read(&mut Checker::default(), value)?;
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
@@ -18,8 +18,8 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
     Some(ask(&request(&planned, &feeds, whole.as_ref())))
 }
 
-/// What the safety rules say of a text that is to be the program of this job; none where the job has errors, or its control's programs are
-/// not read. Faults are lines that are not understood, or do not work where they stand.
+/// What the safety rules say of a text that is to be the program of this job; `None` if the job has errors, or its control's programs are
+/// not read. Faults are lines that are not understood, or do not work where they are.
 pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
     about(value, false, |request| {
         // Others are compared block by block.
@@ -60,7 +60,7 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
 }
 
 /// Whether the reader of a control makes the same of a text with the lines that it remembers from earlier ones and without, for the fuzzer: the same
-/// program or the same troubles. None where it reads no program.
+/// program or the same troubles. `None` if it reads no program.
 #[doc(hidden)]
 pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
     let read = crate::control::POSTS

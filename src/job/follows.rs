@@ -546,7 +546,7 @@ fn along(checker: &Checker, planned: &Planned, single: &Value, key: &str) -> Res
     })
 }
 
-/// The path of a cycle with another size; else its first error, or none where the path is not free.
+/// The path of a cycle with another size; else its first error, or `None` if the path is not free.
 fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
     let mut single = single.clone();
     for (own, value) in cycle_of(&mut single).into_iter().flatten() {

@@ -14,7 +14,7 @@ pub fn report_inertia(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     report_positioning(job, request, checker);
 }
 
-/// Whether the touches run at the feed that the job says: a cycle of the control's own has its own measuring feed, but 1411 takes F.
+/// Whether the touches run at the feed that the job says: a native cycle has its own measuring feed, but 1411 takes F.
 fn feed_is_known(job: &Job, path: &Path) -> bool {
     job.form == Form::Moves || path.feeds.is_some()
 }
@@ -89,7 +89,7 @@ fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// The feed of a positioning move that the program itself makes, mm/min. In a cycle of the control's own it makes the approach and the return.
+/// The feed of a positioning move that the program itself makes, mm/min. In a native cycle it makes the approach and the return.
 fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
     let made = job.form == Form::Moves || matches!(step.feed, Feed::Approach | Feed::Return);
     (made && step.purpose == Purpose::Position)

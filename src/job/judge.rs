@@ -84,7 +84,7 @@ fn report_tolerances(
     }
 }
 
-/// What a control's own cycle stops for on the virtual part, in its order; none where it goes on.
+/// What a native cycle stops for on the virtual part, in its order; `None` if it goes on.
 fn stops_for(
     path: &Path,
     triggers: &[Option<Vec3>],
@@ -101,7 +101,7 @@ fn stops_for(
             checker.length(tidy(x))
         }
     };
-    // Each cycle of a set-up is asked by itself.
+    // Each cycle of a set-up is judged on its own.
     let own = path.own.iter().filter(|_| path.members.is_empty());
     own.flat_map(|own| &own.guards).find_map(
         |Guard {

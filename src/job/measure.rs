@@ -60,7 +60,7 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
     })
 }
 
-/// The results of the touches, or of what a control computed by itself, and whether all of them are plausible.
+/// The results of the touches, or of what a control computed, and whether all of them are plausible.
 /// `path` has the formula, which of a cycle that follows an angle is turned as the points say.
 fn evaluated(
     planned: &Planned,
@@ -100,7 +100,7 @@ fn evaluated(
     (results, plausible)
 }
 
-/// The ball centres of a text, to be drawn: each with its touch, in the job's units. None where it cannot be read, or gives results.
+/// The ball centres of a text, to be drawn: each with its touch, in the job's units. None if it cannot be read, or gives results.
 #[cfg(target_arch = "wasm32")]
 pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
     let Planned { job, path, .. } = planned;

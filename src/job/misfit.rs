@@ -11,7 +11,7 @@ const SINGLE: &str = words!("a single value");
 const OBJECT: &str = words!("an object");
 const LIST: &str = words!("a list");
 
-/// Why the form cannot show a job, as a sentence that names the path; none where it can.
+/// Why the form cannot show a job, as a sentence that names the path; `None` if it can.
 pub fn misfit(job: &Value) -> Option<Text> {
     if !matches!(job, Value::Map(_)) {
         return Some(text!("The job must be an object"));

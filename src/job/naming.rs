@@ -1,4 +1,4 @@
-//! The name that a job has by itself.
+//! The default name of a job.
 
 use crate::cycle;
 use crate::form::{Field, Kind, Value};

@@ -29,7 +29,7 @@ use crate::path::{
 };
 use crate::text::{Text, text};
 
-/// Reads a job and plans its path, or those of its cycles. Reports everything; none where anything is an error.
+/// Reads a job and plans its path, or those of its cycles. Reports everything; `None` if anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let planned = read_in_its_form(checker, value);
     if checker.has_at("form-unsupported", "control.form") && is_taken_in(value, Form::Cycle) {
@@ -109,7 +109,7 @@ fn is_taken_in(value: &Value, form: Form) -> bool {
     })
 }
 
-/// What the whole path must hold, whatever cycle it is of.
+/// Checks of the whole path, the same for every cycle.
 fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     // The first touch of a point speaks for those that repeat it.
     for (k, fault) in path
@@ -284,7 +284,7 @@ fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checke
     );
 }
 
-/// Whose path is shown where cycles of the control's own make it, and that an offset is written in parts.
+/// Whose path is shown where native cycles make it, and that an offset is written in parts.
 fn report_own(path: &Path, checker: &mut Checker) {
     let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else {
         return;

@@ -33,7 +33,7 @@ fn path_of(job: &Job) -> Path {
     path
 }
 
-/// What a ball meets of these surfaces, as the control's own cycles ask.
+/// What a ball meets of these surfaces, as native cycles ask.
 fn meets<'s>(
     surfaces: &'s [Surface],
     up: Vec3,
@@ -50,7 +50,7 @@ fn meets<'s>(
     }
 }
 
-/// The path that the control's own cycles make of a documented one, where a job asks for them; else that one, and why.
+/// The path that native cycles make of a documented one, where a job asks for them; else that one, and why.
 fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
     let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else {
         return (path, Vec::new());
@@ -131,7 +131,7 @@ fn own_run(
             }
         }
     }
-    // A touch that meets nothing ends the macro likewise, and is said by itself.
+    // A touch that meets nothing ends the macro likewise, and has a finding of its own.
     if let (Some(alarm), Some(last)) = (alarm, made.last())
         && alarm != Alarm::NotFound
     {
@@ -151,7 +151,7 @@ pub struct Planned {
     pub surfaces: Vec<Surface>,
     /// The path run on those surfaces.
     pub run: part::Run,
-    /// Why the control's own cycles do not take it; empty where they do, or are not asked for.
+    /// Why native cycles do not take it; empty where they do, or are not asked for.
     pub refused: Refused,
     /// The cycles of a set-up, each as if it were alone; empty where there is one cycle.
     pub members: Vec<Planned>,
@@ -219,7 +219,7 @@ impl Planned {
         if !self.members.is_empty() {
             return self.members.iter().enumerate().flat_map(of).collect();
         }
-        // Of the cycle as it is documented, whoever makes it, and however often. A row is of the first touch of its point.
+        // Of the cycle as it is documented, in moves or native, and once for repeated touches. A row names the first touch of its point.
         let times = self.job.times();
         let documented = (self.path.own.is_some() || times > 1).then(|| path_of(&self.job));
         let touches = documented
@@ -238,7 +238,7 @@ impl Planned {
     }
 }
 
-/// How a program of several cycles of the control's own is made, or why it is not; none of programs of moves.
+/// How a program of several native cycles is made, or why it is not; none of programs of moves.
 pub fn several(job: &Job) -> Option<Result<Several, &'static str>> {
     let none = Err(words!("{control} has no cycles of its own"));
     (job.form == Form::Cycle).then(|| job.post.own.map_or(none, |own| Ok(own.several)))

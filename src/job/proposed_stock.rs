@@ -9,7 +9,7 @@ use crate::part::{self, Stock};
 use crate::path::{ONE_LEVEL, Path, Surface};
 
 /// A block that fits the features of a job, in its units: flush with the walls that are touched from outside, with a margin around the others, and with its
-/// top at the highest top side. None where nothing is touched, and where the path would hit that block.
+/// top at the highest top side. None if nothing is touched, or if the path would hit that block.
 pub fn proposed_stock(Planned { job, path, .. }: &Planned) -> Option<Value> {
     let stock = fitted(path, job)?;
     let clear = part::hit(path, &stock, &job.shape, job.setup.radius).is_none();

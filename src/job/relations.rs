@@ -62,7 +62,7 @@ impl<'v> Relations<'v> {
                 .into_iter()
                 .for_each(|index| early[index] = true);
         }
-        // A relation is only of earlier ones: going backwards meets each before those that it is of.
+        // A relation has only earlier ones as operands: going backwards meets each before its operands.
         for index in (0..list.len()).rev() {
             if early[index] {
                 heads(&list[index])
@@ -121,7 +121,7 @@ impl<'v> Relations<'v> {
         path
     }
 
-    /// Why the relation of this name cannot be computed of this path; none where there is no such relation.
+    /// Why the relation of this name cannot be computed of this path; `None` if there is no such relation.
     pub fn lacks(&self, path: &Path, name: &str) -> Option<Text> {
         let mut own = Checker::default();
         self.read(&mut own, path, named(self.list, name)?);
@@ -131,7 +131,7 @@ impl<'v> Relations<'v> {
             .map(|finding| finding.said)
     }
 
-    /// Whether all that a relation is of is measured.
+    /// Whether all operands of a relation are measured.
     fn is_ready(&self, path: &Path, index: usize) -> bool {
         heads(&self.list[index]).all(|head| {
             path.measuring_before(index)
@@ -165,7 +165,7 @@ impl<'v> Relations<'v> {
     }
 }
 
-/// The names of what a relation is of: of `BORE.diameter` it is `BORE`. Ends with an empty one where that is not said.
+/// Names of the cycles and relations in the operands of a relation: `BORE` for `BORE.diameter`. An operand that gives none ends the list with an empty name.
 fn heads(relation: &Value) -> impl Iterator<Item = &str> {
     let of = match relation.get("of") {
         Some(Value::List(of)) => of.as_slice(),
@@ -320,7 +320,7 @@ fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation>
     }
 }
 
-/// What a relation is of: cycles that measure a place, or results.
+/// Operands of a relation: cycles that measure a position, or results.
 fn read_of(
     checker: &mut Checker,
     given: &Value,
@@ -372,7 +372,7 @@ fn read_of(
     (of.len() == list.len() && check_kinds(checker, known.formula, &of, relation, at)).then_some(of)
 }
 
-/// One thing that a relation is of, and its name; else the code and the words of what is wrong with it.
+/// One operand of a relation and its name, or the code and text of its error.
 fn read_operand(
     given: &Value,
     known: &Known<'_>,

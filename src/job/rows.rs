@@ -72,7 +72,7 @@ pub struct SafetyRow {
     pub said: Text,
     /// The 0-based lines that break it.
     pub lines: Vec<usize>,
-    /// The 0-based lines that it was asked of, whether they keep or break it; those of the control's own cycle where that answers for it.
+    /// The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it.
     pub about: Vec<usize>,
 }
 
@@ -119,7 +119,7 @@ pub struct Move {
     pub feed: &'static str,
     /// `position`, `touch` or `back`.
     pub kind: &'static str,
-    /// Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where cycles of the control's own make it: which line makes it, from that of the first move on.
+    /// Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on.
     pub step: u8,
     /// Index of the touch that it makes or comes back from; null for positioning.
     pub touch: Option<usize>,
@@ -148,9 +148,9 @@ pub struct ProgramText {
     pub extension: &'static str,
     /// Its lines, each ended by a line feed.
     pub text: String,
-    /// For each move the 0-based line that makes it; −1 where the control's own cycle makes it.
+    /// For each move the 0-based line that makes it; −1 where the native cycle makes it.
     pub move_lines: Vec<i32>,
-    /// What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then
+    /// What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then
     /// `basic rotation` or `table offset`. Empty where it measures only.
     pub writes: Vec<&'static str>,
     /// What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
@@ -159,7 +159,7 @@ pub struct ProgramText {
     pub said: Text,
     /// What was proven of it; null in the form `cycle`.
     pub proof: Option<ProofRow>,
-    /// Whether the moves of the plan are those that cycles of the control's own make, which the program calls.
+    /// Whether the moves of the plan are those that native cycles make, which the program calls.
     pub own: bool,
 }
 
@@ -178,7 +178,7 @@ pub struct ParameterRow {
     pub meaning: Text,
     /// Path of the job's field it comes from.
     pub field: Option<String>,
-    /// Index of the touch it comes from; null where it is of the whole cycle.
+    /// Index of the touch it comes from; null if it concerns the whole cycle.
     pub touch: Option<usize>,
     /// Index of its cycle in a set-up; 0 for a job of one cycle.
     pub cycle: usize,

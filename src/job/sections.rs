@@ -264,7 +264,7 @@ form! {
     pub struct Control {
         /// Which control the program is for.
         post: String = Field::choice("post", "Control", POST_CHOICES).group("Program and machine"),
-        /// Plain moves: every move written out, on the job's path. The control's own cycle: a few calls, on the cycle's own path, which is shown.
+        /// Plain moves: every move written out, on the job's path. The native cycle: a few calls, on the cycle's own path, which is shown.
         form: String = Field::choice("form", "Program form", FORMS).group("Program and machine"),
         /// The work offset that the program writes at its end: 1 is G54. Empty: measure only.
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Program and machine"),
@@ -284,7 +284,7 @@ form! {
         probe_input: i32 = Field::count("probeInput", "Probe input", 1, 1, 2).group("Program and machine"),
         /// Where the program shows its results before it ends.
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Program and machine"),
-        /// SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance.
+        /// SET_UP of the touch probe table: native cycles add it to their set-up clearance.
         set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Program and machine"),
         /// Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000.
         number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program and machine"),
@@ -359,7 +359,7 @@ pub struct Job {
     pub setup: Setup,
     /// One sigma of a touch, mm.
     pub repeatability: f64,
-    /// The stylus above its ball, as far as it is known.
+    /// The known dimensions of the stylus above its ball.
     pub shape: Shape,
     /// How far the ball centre is off the spindle axis, mm; none is not known.
     pub runout: Option<f64>,
@@ -394,14 +394,14 @@ pub struct Job {
     pub report: Report,
     /// The number of the program, where its control has them; none takes that of the name.
     pub number: Option<i32>,
-    /// What the probe table adds to the set-up clearance of the control's own cycles, mm.
+    /// What the probe table adds to the set-up clearance of native cycles, mm.
     pub set_up: f64,
     /// The tools that are corrected, by the codes of the results.
     pub wear: Vec<(String, Wear)>,
     pub placement: PartPlacement,
     /// The block that the features are cut into; none is not known.
     pub stock: Option<Stock>,
-    /// The cycle with the actual part's sizes; none where they are nominal.
+    /// The cycle with the actual part's sizes; `None` if they are nominal.
     pub actual: Option<Box<dyn Cycle>>,
 }
 

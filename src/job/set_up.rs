@@ -51,7 +51,7 @@ struct Reading<'v> {
     sound: bool,
 }
 
-/// Plans the cycles of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; none where anything is an error.
+/// Plans the cycles of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; `None` if anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let cycles = read_list(checker, value)?;
     let names = names(cycles);
@@ -468,7 +468,7 @@ impl Planned {
     }
 }
 
-/// The run of the whole path: each cycle on its own, and every move past what stands of the other features.
+/// The run of the whole path: each cycle on its own, and every move past what is of the other features.
 fn run(whole: &Planned, on: On) -> Run {
     let path = &whole.path;
     let mut all = Run::default();
@@ -701,7 +701,7 @@ pub fn of_whole(finding: Finding) -> Finding {
     Finding { path, ..finding }
 }
 
-/// The results of a cycle in those of the whole, which says by itself what is written.
+/// The results of a cycle within those of the whole. The whole describes what is written.
 pub fn rows_of(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
     rows.into_iter()
         .filter(|row| !row.code.starts_with("offset."))

@@ -14,7 +14,7 @@ pub struct NumberField {
 }
 
 impl NumberField {
-    /// By its path, such as `cycle.width1`, of a set-up in the cycle in hand; none where no field of that path holds a number.
+    /// By its path, such as `cycle.width1`, of a set-up in the cycle in hand; `None` if no field of that path holds a number.
     pub fn of(job: &Value, path: &str, hand: usize) -> Option<Self> {
         let (section, key) = path.split_once('.')?;
         let place = match job.get("cycles") {

@@ -113,7 +113,7 @@ pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
     checker.info("stylus-not-known", "stylus.length", message);
 }
 
-/// Whether a surface stands beside the stylus, and not below it.
+/// Whether a surface is beside the stylus, and not below it.
 fn is_beside(path: &Path, surface: &Surface) -> bool {
     match surface {
         Surface::Flat(wall) => wall.normal.dot(path.frame.w) < 0.999,

@@ -331,7 +331,7 @@ fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> O
             "the control's own cycles do not compare their results with it"
         )),
         Form::Moves if !job.post.computes => Some(words!(
-            "{control} computes no results: whoever reads them must judge them"
+            "{control} computes no results: the operator must judge them"
         )),
         Form::Moves => None,
     };

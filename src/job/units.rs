@@ -44,7 +44,7 @@ impl Target {
         )
     }
 
-    /// A number in a text that goes into the program as it stands.
+    /// A number in a text that goes into the program as it is.
     fn printed(self, x: f64) -> f64 {
         self.rounded(x, self.decimals)
     }

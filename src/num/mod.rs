@@ -157,7 +157,7 @@ const POWERS: [f64; 23] = [
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The size of a number in its last decimals, rounded; none where the rounding of the product could decide between two.
+/// The size of a number in its last decimals, rounded; `None` if the rounding of the product could decide between two.
 fn whole(value: f64, places: usize) -> Option<u64> {
     let scaled = value.abs() * POWERS.get(places)?;
     // The product is off by half of its last binary digit at most: 1.2e-16 of it.
@@ -202,7 +202,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
         340 * usize::from(size < 1.0)
     };
     let digits = scaled(size, places).digits();
-    // Where the first digit stands.
+    // Where the first digit is.
     let power = digits.len() as i32 - 1 - places as i32;
     let short = |(count, up): (usize, bool)| {
         let rounded = rounded(&digits, count, up);
@@ -219,7 +219,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     );
 }
 
-/// Digits whose first one stands at a power of ten: with a point where it belongs, or with an exponent.
+/// Digits whose first one is at a power of ten: with a point where it belongs, or with an exponent.
 fn placed(digits: &str, power: i32, plain: bool) -> String {
     let (first, rest) = digits.split_at(1);
     let whole = power.max(0) as usize + 1;
@@ -331,7 +331,7 @@ pub fn wrap_degrees(angle: f64) -> f64 {
     }
 }
 
-/// A label as it stands inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays. Labels are ASCII.
+/// A label as it is inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays. Labels are ASCII.
 pub fn lowered(label: &str) -> String {
     let mut letters = label.chars();
     match (letters.next(), letters.next()) {

@@ -58,8 +58,8 @@ pub fn read(text: &str) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
-/// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with at most one point anywhere. None where there
-/// are no digits, or the number is infinite. In place wherever it is called: a call would cost as much as the digits.
+/// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with at most one point anywhere. `None` if there
+/// are no digits, or the number is infinite. Inlined at every call: a call would cost as much as the digits.
 #[inline(always)]
 pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
     let mut mantissa = 0u64;
@@ -237,7 +237,7 @@ mod tests {
         }
     }
 
-    /// What stands after the digits is left; the digits are read as the library reads them.
+    /// What is after the digits is left; the digits are read as the library reads them.
     #[test]
     fn digits_at_the_beginning_of_a_text() {
         for (text, length) in [

@@ -15,7 +15,7 @@ pub struct Contact {
     pub edge: bool,
 }
 
-/// A ball that stands this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
+/// A ball that is this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
 pub(super) const SKIN: f64 = 1e-7;
 
 /// What a ball can meet. Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind the edge
@@ -138,7 +138,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     }
     let root = b * b - a * c;
     if inside {
-        // From inside there is one way out. A ball that stands at the wall meets it only if it goes outwards.
+        // From inside there is one way out. A ball that is at the wall meets it only if it goes outwards.
         let t = (-b + root.max(0.0).sqrt()) / a;
         return (t <= 1.0 && (gap > SKIN || t <= SKIN || b > 0.0)).then_some(t.max(0.0));
     }
@@ -167,7 +167,7 @@ struct Gap {
 }
 
 impl Body {
-    /// The body that begins with this wall; none where an earlier wall begins it.
+    /// The body that begins with this wall; `None` if an earlier wall begins it.
     pub(super) fn beginning(surfaces: &[Surface], up: Vec3, first: usize) -> Option<Self> {
         let Surface::Flat(begin) = &surfaces[first] else {
             return None;
@@ -223,7 +223,7 @@ impl Body {
         }
     }
 
-    /// What a level plane cuts out of it, as a prism along `up` without ends, and the height at which the body itself ends. None where only
+    /// What a level plane cuts out of it, as a prism along `up` without ends, and the height at which the body itself ends. `None` if only
     /// level faces bound it.
     pub(super) fn cut(&self, up: Vec3, height: f64) -> Option<(Body, Option<f64>)> {
         let mut prism = Body {

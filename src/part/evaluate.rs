@@ -59,7 +59,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
 }
 
 /// One sigma of a result for a ball centre 1 mm off the spindle axis, at any angle with the same likelihood. With the ball at an angle φ, the
-/// machine stands (cos φ, sin φ) aside at every contact: a touch along v comes v·(cos φ, sin φ) off. All touches share the angle, so their
+/// machine is (cos φ, sin φ) aside at every contact: a touch along v comes v·(cos φ, sin φ) off. All touches share the angle, so their
 /// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.
@@ -78,7 +78,7 @@ fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     tidy(along(path.frame.u).hypot(along(path.frame.v)) / std::f64::consts::SQRT_2)
 }
 
-/// The results that a control computed by itself: `values` of the formula's results, mm or degrees, with the uncertainty that the touches have on the
+/// The results that a control computed: `values` of the formula's results, mm or degrees, with the uncertainty that the touches have on the
 /// nominal part.
 pub fn stated(
     path: &Path,
@@ -101,7 +101,7 @@ pub fn stated(
     rows
 }
 
-/// What was measured of the point that a work offset is corrected by: abscissa, ordinate and tool axis, mm; none where nothing was.
+/// What was measured of the point that a work offset is corrected by: abscissa, ordinate and tool axis, mm; `None` if nothing was.
 pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
     let Some(datum) = &path.formula.datum else {
         return [None; 3];
@@ -138,7 +138,7 @@ struct Sample {
     count: usize,
 }
 
-/// The means of the touches of each sample; none where one of them is missing.
+/// The means of the touches of each sample; none if one of them is missing.
 fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
     for (touch, trigger) in path.touches.iter().zip(triggers) {
@@ -238,7 +238,7 @@ pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, 
             nominal: Some(0.0),
             value: row.deviation,
             truth: row.truth.map(|t| tidy(t - nominal)),
-            // A tolerance is of the place and not of the shift.
+            // A tolerance limits the position, not the shift.
             limits: None,
             verdict: row.verdict.clone().filter(|_| row.limits.is_none()),
             ..row.clone()

@@ -36,7 +36,7 @@ pub struct PartPlacement {
 /// What happened when the path was run on the actual part.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
-    /// Ball centre at the trigger of each touch; none where the part was not met in time.
+    /// Ball centre at the trigger of each touch; `None` if the part was not met in time.
     pub triggers: Vec<Option<Vec3>>,
     /// Touches that meet another surface than theirs first, and which one.
     pub strays: Vec<(usize, usize)>,
@@ -72,7 +72,7 @@ pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
         .collect()
 }
 
-/// The positioning move that passes the part nearest, and at what distance, mm; none where none comes `within` that much of it. The path must run clear
+/// The positioning move that passes the part nearest, and at what distance, mm; `None` if none comes `within` that much of it. The path must run clear
 /// of the part.
 pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Option<(usize, f64)> {
     let obstacles = Obstacles::of(surfaces, path.frame.w);
@@ -106,7 +106,7 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
     Some((found, near))
 }
 
-/// At which fraction of a straight way the ball makes contact with these surfaces; none where it makes none. `up` is the tool axis.
+/// At which fraction of a straight way the ball makes contact with these surfaces; `None` if it makes none. `up` is the tool axis.
 pub fn first_contact(
     surfaces: &[Surface],
     up: Vec3,
@@ -180,7 +180,7 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     })
 }
 
-/// The first move of a set-up that meets what stands of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
+/// The first move of a set-up that meets what is of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
 /// material around a hole or behind a single wall goes is not known.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
     let standing: Vec<Vec<Surface>> = path
@@ -234,7 +234,7 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
     surfaces.iter().filter(stands).copied().collect()
 }
 
-/// Runs the whole path on the actual surfaces. A touch starts where the ball stands and runs along the inverted target vector
+/// Runs the whole path on the actual surfaces. A touch starts where the ball is and runs along the inverted target vector
 /// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;

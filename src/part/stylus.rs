@@ -9,7 +9,7 @@ use crate::part::Run;
 use crate::part::contact::{Body, SKIN};
 use crate::path::{Path, Purpose, Round, Surface};
 
-/// The stylus above its ball: diameters and length in mm, none where it is not known.
+/// The stylus above its ball: diameters and length in mm, none if it is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// From the ball centre up to the probe body.

@@ -1,4 +1,4 @@
-//! What is probed, resolved: the one place from which a control's own cycle is printed.
+//! What is probed, resolved: the one place from which a native cycle is printed.
 
 use crate::geom::Vec3;
 use crate::path::ParameterValue;
@@ -45,7 +45,7 @@ pub enum Subject {
     TwoCircles,
 }
 
-/// What is probed, with the dimensions that it has, and the job's fields that say them. Its frame stands in [`crate::path::Path::frame`].
+/// What is probed, with the dimensions that it has, and the job's fields that say them. Its frame is in [`crate::path::Path::frame`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
     /// Nothing is probed.
@@ -99,9 +99,9 @@ pub struct Bore {
     pub diameter: Entry,
     /// From the top side down to the touches.
     pub depth: Entry,
-    /// From the wall to the ball centre where a touch begins; none where touches begin in the middle.
+    /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
     pub clearance: Option<Entry>,
-    /// How far above the top side the ball crosses; none where it does not.
+    /// How far above the top side the ball crosses; `None` if it does not.
     pub crossing: Option<Entry>,
 }
 
@@ -113,7 +113,7 @@ pub struct Pairs {
     pub sides: Vec<Side>,
     /// From the top side down to the touches.
     pub depth: Entry,
-    /// How far above the top side the ball crosses; none where it does not, or where another field says it.
+    /// How far above the top side the ball crosses; `None` if it does not, or where another field says it.
     pub crossing: Option<Entry>,
 }
 
@@ -122,7 +122,7 @@ pub struct Pairs {
 pub struct Side {
     /// From wall to wall.
     pub width: Entry,
-    /// From the wall to the ball centre where a touch begins; none where touches begin in the middle.
+    /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
     pub clearance: Option<Entry>,
 }
 

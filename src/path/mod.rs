@@ -74,7 +74,7 @@ pub enum Feed {
     Retract,
     /// The last lift.
     Return,
-    /// The first, fast touch of the two that a control's own cycle makes.
+    /// The first, fast touch of the two that a native cycle makes.
     Search,
     /// As fast as the control does it, or at a stated rapid rate.
     Rapid,
@@ -89,7 +89,7 @@ pub struct Feeds {
     pub work: f64,
     pub retract: Option<f64>,
     pub return_: Option<f64>,
-    /// Of the first touch of a control's own cycle.
+    /// Of the first touch of a native cycle.
     pub search: Option<f64>,
     /// None is the control's own rate.
     pub rapid: Option<f64>,
@@ -122,7 +122,7 @@ pub enum Purpose {
     Position,
     /// The touch with this index. Ends at the nominal contact of the ball centre.
     Touch(usize),
-    /// The first, fast touch of the two that a control's own cycle makes of the touch with this index. Ends likewise; what is measured is the second.
+    /// The first, fast touch of the two that a native cycle makes of the touch with this index. Ends likewise; what is measured is the second.
     Search(usize),
     /// The way back from the touch with this index.
     Back(usize),
@@ -223,11 +223,11 @@ pub struct Path {
     pub feature: Feature,
     /// Whether the touches were picked one by one, and do not follow from the dimensions.
     pub picked: bool,
-    /// The field that says how far the last move lifts; none where the cycle ends otherwise.
+    /// The field that says how far the last move lifts; `None` if the cycle ends otherwise.
     pub lift: Option<&'static str>,
-    /// The calls that make this path, where cycles of the control's own do.
+    /// The calls that make this path, where native cycles do.
     pub own: Option<Box<Own>>,
-    /// The cycles of a set-up; empty where the path is of one cycle.
+    /// The cycles of a set-up; empty in a path of one cycle.
     pub members: Vec<Member>,
     /// What a set-up computes of the results of its cycles.
     pub relations: Vec<Related>,
@@ -248,7 +248,7 @@ pub enum TouchFault {
     Askew(f64),
 }
 
-/// Where a touch stands among those that measure the same point.
+/// Where a touch is among those that measure the same point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat {
     /// The point of the formula.
@@ -290,7 +290,7 @@ impl Path {
         }
     }
 
-    /// The moves that touch, in order: which touch, where the move begins (none where that is not known), and the move.
+    /// The moves that touch, in order: which touch, where the move begins (`None` if that is not known), and the move.
     pub fn searches(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
         let begins = std::iter::once(self.start).chain(self.moves.iter().map(|step| Some(step.to)));
         self.moves
@@ -345,7 +345,7 @@ impl Path {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Where each touch stands among those of its sample.
+    /// Where each touch is among those of its sample.
     pub fn samples(&self) -> Vec<Repeat> {
         let mut counts: Vec<usize> = Vec::new();
         let mut samples: Vec<Repeat> = Vec::with_capacity(self.touches.len());

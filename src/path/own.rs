@@ -1,4 +1,4 @@
-//! The calls by which a control's own cycles do what a cycle is for.
+//! The calls by which native cycles do what a cycle is for.
 
 use crate::geom::Vec3;
 use crate::path::Feed;
@@ -12,7 +12,7 @@ pub enum Quantity {
     Feed(f64),
     /// Degrees.
     Angle(f64),
-    /// A number as it stands.
+    /// A number as it is.
     Plain(f64),
 }
 
@@ -82,7 +82,7 @@ pub struct Guard {
 /// What of the results a call compares with its limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Off {
-    /// Each by itself.
+    /// Each on its own.
     Each,
     /// How far the place is off in the plane.
     Place,

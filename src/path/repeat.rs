@@ -39,7 +39,7 @@ impl Path {
                         }));
                     }
                 }
-                // Ways back go with their touches; searches are those of a control's own cycles, which repeat nothing.
+                // Ways back go with their touches; searches are those of native cycles, which repeat nothing.
                 Purpose::Back(_) | Purpose::Search(_) => {}
             }
         }

@@ -151,7 +151,7 @@ impl Path {
     }
 
     /// Adds the moves of all cycles, one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are
-    /// those of all. `way` makes the block of a way to a place along some axes, where all are cycles of the control's own.
+    /// those of all. `way` makes the block of a way to a place along some axes, where all are native cycles.
     pub fn connect(&mut self, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) {
         let mut members = std::mem::take(&mut self.members);
         let first = &members.first().expect("a set-up has a cycle").path;
@@ -278,7 +278,7 @@ impl Path {
         );
     }
 
-    /// What a relation comes to where the results that it is of have these values, mm or degrees; in the order of its own results.
+    /// Results of a relation for these values of its operands, mm or degrees, in their order.
     pub fn related(
         &self,
         relation: &Related,
@@ -359,7 +359,7 @@ impl Path {
         )
     }
 
-    /// Whether a result is known once a member is measured; none where it does not come from its touches.
+    /// Whether a result is known once a member is measured; `None` if it does not come from its touches.
     pub fn is_known_by(&self, result: usize, member: usize) -> Option<bool> {
         if self.members[member].results.contains(&result) {
             return Some(true);
@@ -402,7 +402,7 @@ impl Path {
         self.measuring().take(self.members.len() + before)
     }
 
-    /// Which of all that measures a result is of.
+    /// Index of the cycle or relation that gives a result.
     pub fn measured_by(&self, result: &ResultDef) -> Option<usize> {
         let name = &self.formula.cycles.get(usize::from(result.cycle))?.name;
         self.measuring().position(|own| own.name == name)
@@ -418,7 +418,7 @@ impl Path {
         };
         let w = self.frame.w;
         let at = |place: Vec3| place + w * (clear - place.dot(w));
-        // A cycle that does not say where it begins goes to its first place by itself: down, or across where that is as high.
+        // A cycle that does not say where it begins moves to its first position: down, or across at the same height.
         // The height between cycles follows nothing: there it goes across, whatever the heights of the cycles follow.
         let level = |shifts: &Shifts| {
             [0, 1, 2].map(|axis| {
@@ -552,7 +552,7 @@ impl Path {
         (0..self.members.len()).find(|m| begin(*m) == index)
     }
 
-    /// The member that a move is of, or that it leads to; none where the path is of one cycle.
+    /// The cycle of a move, or the one that it leads to. `None` in a path of one cycle.
     pub fn member_of_move(&self, index: usize) -> Option<usize> {
         (!self.members.is_empty()).then(|| {
             self.members
@@ -560,7 +560,7 @@ impl Path {
         })
     }
 
-    /// Where each result is found after cycles of the control's own, by its place in the list of all.
+    /// Where each result is found after native cycles, by its place in the list of all.
     pub fn kept(&self) -> Vec<(usize, Stored)> {
         let of = |path: &Path, results: Range<usize>| -> Vec<(usize, Stored)> {
             let index = |code: &str| {
@@ -590,7 +590,7 @@ impl Path {
             .collect()
     }
 
-    /// The member that a touch is of; likewise.
+    /// The cycle of a touch; likewise.
     pub fn member_of_touch(&self, k: usize) -> Option<usize> {
         (!self.members.is_empty()).then(|| {
             self.members

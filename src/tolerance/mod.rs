@@ -438,7 +438,7 @@ fn number(text: &str) -> Option<f64> {
         .filter(|x| x.abs() <= 100_000.0)
 }
 
-/// Where the number at the start of a text ends; none where it starts with none.
+/// Where the number at the start of a text ends; `None` if it starts with none.
 fn end_of_number(text: &str) -> Option<usize> {
     let sign = usize::from(text.starts_with(['+', '-']));
     let length = text[sign..]
@@ -530,7 +530,7 @@ mod tests {
         }
     }
 
-    /// Every class of every letter, grade and band by the standard's own rules, wherever the tables give it.
+    /// Every class of every letter, grade and band by the standard's own rules, if the tables give it.
     #[test]
     fn classes_keep_the_rules() {
         let letters = [

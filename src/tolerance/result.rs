@@ -27,7 +27,7 @@ enum Deviations<'t> {
 }
 
 impl<'t> Deviations<'t> {
-    /// `±0.02`, `+0.021/0`, `0 -0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. None where it is none of these. Only a 0 has no sign.
+    /// `±0.02`, `+0.021/0`, `0 -0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. `None` if it is none of these. Only a 0 has no sign.
     fn read(text: &'t str) -> Option<Self> {
         let given =
             |one: f64, other: f64| Some(Deviations::Given([one.min(other), one.max(other)]));
@@ -220,7 +220,7 @@ pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
         let digits = rest
             .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ','))
             .unwrap_or(rest.len());
-        // Two points stand between the ends of a zone.
+        // Two points are between the ends of a zone.
         let digits = rest[..digits].find("..").unwrap_or(digits);
         if digits == 0 || out.ends_with('.') && first == '.' {
             out.push(first);

@@ -1,4 +1,4 @@
-//! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line stands.
+//! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line is.
 
 use crate::geom::Vec3;
 use crate::path::{
@@ -14,7 +14,7 @@ pub struct Dimension {
     pub from: Vec3,
     /// Where it ends, mm; its length is the field's value.
     pub to: Vec3,
-    /// The side on which its line stands, a unit vector square to it.
+    /// The side on which its line is, a unit vector square to it.
     pub aside: Vec3,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
@@ -33,7 +33,7 @@ pub struct Angle {
     pub room: f64,
 }
 
-/// The angles of what a path probes: between the walls of a corner, and of a surface's target vector up from the plane. None where the touches
+/// The angles of what a path probes: between the walls of a corner, and of a surface's target vector up from the plane. None if the touches
 /// were picked.
 pub fn angles(path: &Path) -> Vec<Angle> {
     let frame = path.frame;
@@ -81,7 +81,7 @@ pub fn angles(path: &Path) -> Vec<Angle> {
     }]
 }
 
-/// The dimensions of what a path probes; none where the touches were picked, since then they say nothing of where it lies.
+/// The dimensions of what a path probes; none if the touches were picked, since then they say nothing of where it lies.
 pub fn dimensions(path: &Path) -> Vec<Dimension> {
     if path.picked {
         return Vec::new();
@@ -215,7 +215,7 @@ fn round(path: &Path, bore: &Bore) -> Vec<Dimension> {
     all
 }
 
-/// Of opposite walls: each width at the end of its walls, where the other pair stands, if there is one.
+/// Of opposite walls: each width at the end of its walls, where the other pair is, if there is one.
 fn opposite(path: &Path, pairs: &Pairs) -> Vec<Dimension> {
     let (u, v) = (path.frame.u, path.frame.v);
     let directions = [(u, -v), (v, -u)];
@@ -315,7 +315,7 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
                 on_demand: true,
             });
         }
-        // Behind the wall; of a corner from outside in front of the touches, since behind one wall stands the other.
+        // Behind the wall; of a corner from outside in front of the touches, since behind one wall is the other.
         let (aside, off) = if corner.outside {
             (
                 first.vector,
@@ -356,7 +356,7 @@ fn on_top(path: &Path, top: &Top, all: &mut Vec<Dimension>) {
     };
     let (origin, w) = (path.frame.origin, path.frame.w);
     let level = w * (origin - first.point).dot(w);
-    // Away from both walls, so that it stands free from the front and from the side.
+    // Away from both walls, so that it is free from the front and from the side.
     let aside = (first.vector + second.vector)
         .try_normalize()
         .unwrap_or(first.vector);

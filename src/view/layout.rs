@@ -1,4 +1,4 @@
-//! Where dimensions and angles stand in a picture, and what they say: on free ground, as far as there is any.
+//! Positions and texts of dimensions and angles in a picture: in free areas if there are any.
 
 use crate::geom::Vec2;
 use crate::view::camera::{
@@ -8,11 +8,11 @@ use crate::view::numbers::Number;
 use crate::view::plate::{CUT_OFF, Crowd, Plate};
 use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
-/// How far the line of a dimension that comes with the focus stands from the part, pixels.
+/// How far the line of a dimension that comes with the focus is from the part, pixels.
 const ON_DEMAND: f64 = 16.0;
 /// In the place of a field that has the focus: every height is drawn.
 const EVERY: &str = "*";
-/// How far it stands from whatever else reaches beyond the part.
+/// How far it is from whatever else reaches beyond the part.
 const CLEAR: f64 = 18.0;
 /// Half the height of a name with the room around it.
 const HIGH: f64 = 12.0;
@@ -52,11 +52,11 @@ pub struct Arc<'a> {
     /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
     pub heads: Option<[(Vec2, Vec2); 2]>,
     pub ends: [Vec2; 2],
-    /// Its name; none where that would cover touches.
+    /// Its name; `None` if that would cover touches.
     pub name: Option<Plate>,
 }
 
-/// What stands in a picture beside the part and its path.
+/// What is in a picture beside the part and its path.
 #[derive(Clone, Debug)]
 pub struct Layout<'a> {
     pub numbers: Vec<Number>,
@@ -111,7 +111,7 @@ impl Layout<'_> {
         said
     }
 
-    /// Where the scale bar lies on nothing, so wide and high by half: in the lower right corner, else in another one; none where each has something. The upper right corner is kept free for the page's view cube.
+    /// Where the scale bar lies on nothing, so wide and high by half: in the lower right corner, else in another one; `None` if each has something. The upper right corner is kept free for the page's view cube.
     pub fn bar(&self, camera: &Camera, half: Vec2) -> Option<Vec2> {
         let far = camera.size - half - BAR_CORNER;
         let near = half + BAR_CORNER;
@@ -144,7 +144,7 @@ impl Layout<'_> {
             })
     }
 
-    /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
+    /// Where the name of the work origin is, so wide and high by half: in the freest of the four corners about it.
     pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
         let plate = |x: f64, y: f64| Plate {
             middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0),
@@ -184,7 +184,7 @@ impl Camera {
         }
     }
 
-    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
+    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, if there is room above it.
     fn clear_corners(&mut self, scene: &Scene) {
         let Vec2 {
             x: width,
@@ -262,7 +262,7 @@ impl Camera {
         layout
     }
 
-    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is. The name stands on the line
+    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is. The name is on the line
     /// where there is room between the arrow heads; else beyond one end or the other, or beside it.
     fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
         let ends = drawn.ends.map(|spot| self.pixel(spot));
@@ -281,7 +281,7 @@ impl Camera {
             [0.0, beside, 0.0, 0.0],
             [0.0, -beside, 0.0, 0.0],
         ];
-        // Between its arrow heads, with a little of the line seen: in the middle, or aside of what stands there.
+        // Between its arrow heads, with a little of the line seen: in the middle, or aside of what is there.
         let off_middle = ((long - drawn.wide) / 2.0 - 12.0).min(long / 4.0);
         let on_it = [
             [0.0; 4],

@@ -1,4 +1,4 @@
-//! Where the numbers of touches stand: each near its contact, and none on another.
+//! Where the numbers of touches are: each near its contact, and none on another.
 
 use crate::geom::Vec2;
 use crate::num::within;
@@ -24,11 +24,11 @@ pub struct Number {
     pub contact: Vec2,
     /// Its disc, which is longer than high where it says more.
     pub plate: Plate,
-    /// Whether it stands so far from the contact that a line leads there.
+    /// Whether it is so far from the contact that a line leads there.
     pub led: bool,
 }
 
-/// So many numbers are said one by one where touches stand in one place.
+/// So many numbers are said one by one where touches are in one place.
 const MOST_SAID: usize = 4;
 
 impl Number {

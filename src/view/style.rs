@@ -29,7 +29,7 @@ pub enum Colour {
     Highlight,
 }
 
-/// Of each, in that order: its name in a theme, what it is on a canvas that has no theme, and in an SVG, which stands on white.
+/// Of each, in that order: its name in a theme, what it is on a canvas that has no theme, and in an SVG, which is on white.
 pub const COLOURS: [(&str, &str, &str); 9] = [
     ("background", "#ffffff", "#fff"),
     ("text", "#1c2430", "#46535f"),
@@ -55,7 +55,7 @@ pub struct Pen {
     pub colour: Colour,
     /// Its width on a canvas, pixels, and in an SVG, whose units are smaller on paper.
     pub widths: [f64; 2],
-    /// Lengths of its dashes and of the gaps between them; none where it has no gaps.
+    /// Lengths of its dashes and of the gaps between them; none if it has no gaps.
     pub dash: &'static [f64],
 }
 

@@ -118,7 +118,7 @@ impl Drawing {
         }
     }
 
-    /// What is named, and where it stands.
+    /// What is named, and where it is.
     fn layout<'a>(&self, scene: &'a Scene, legend: &Legend<'_>) -> Layout<'a> {
         let mut layout = self.camera.layout(scene, None);
         let named = |own: &str| legend.names.iter().any(|(field, _)| *field == own);
@@ -147,7 +147,7 @@ impl Drawing {
         for at in lines.chain(dimensions).chain(angles) {
             (low, high) = (low.min((at - ROOM).floor()), high.max((at + ROOM).ceil()));
         }
-        // A number that the library writes by itself would bring all of its printing into the module.
+        // A number written by the library would bring all of its printing into the module.
         let [x, y] = low.to_array().map(|pixels| decimal(pixels, 0));
         let [width, height] = (high - low).to_array().map(|pixels| decimal(pixels, 0));
         let _ = write!(

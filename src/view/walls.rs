@@ -10,7 +10,7 @@ pub struct WallShape {
     pub corners: [Vec2; 4],
     /// Seen edge-on: the line. Else none.
     pub edge: Option<[Vec2; 2]>,
-    /// Whether it is of the actual part; else of the nominal one.
+    /// Whether it belongs to the actual part; else to the nominal one.
     pub actual: bool,
     /// Whether it is one strip of a round wall, whose sides are no edges.
     pub strip: bool,

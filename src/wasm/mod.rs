@@ -58,7 +58,7 @@ pub fn default_job(kind: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> 
         })
 }
 
-/// The name that a job has by itself: what it measures, and its main sizes.
+/// The default name of a job: what it measures, and its main sizes.
 #[wasm_bindgen(js_name = jobName)]
 pub fn job_name(codes: &[f64], text: &str) -> String {
     job::job_name(&decoded(codes, text))
@@ -98,7 +98,7 @@ pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// What is wrong with a portal's config: findings, none where it is good.
+/// What is wrong with a portal's config: findings, none if it is good.
 #[wasm_bindgen(js_name = configFaults)]
 pub fn config_faults(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let faults = read_config(codes, text).err().map(|error| error.findings);
@@ -348,7 +348,7 @@ fn value_to_js(value: &Value) -> JsValue {
         Value::List(items) => items.iter().map(value_to_js).collect::<Array>().into(),
         Value::Map(entries) => {
             let object = Object::new();
-            // No value of a job stands under this name; set, it would change the object itself.
+            // No value of a job is under this name; set, it would change the object itself.
             for (key, value) in entries.iter().filter(|(key, _)| key != "__proto__") {
                 set(&object, key, &value_to_js(value));
             }

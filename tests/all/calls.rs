@@ -1,4 +1,4 @@
-//! Which words of the control's own cycles take which rows of the parameter table.
+//! Which words of native cycles take which rows of the parameter table.
 
 use crate::common::{number, with};
 use touchpath::describe::{export_table, export_table_with_calls};

@@ -82,7 +82,7 @@ pub fn calling() -> Keys {
     which(|post| post.own.is_some())
 }
 
-/// Those whose own cycles are Renishaw's macros: a letter stands before the number, of which a Brother has other thousands.
+/// Those whose own cycles are Renishaw's macros: a letter is before the number, of which a Brother has other thousands.
 pub fn calling_macros() -> Keys {
     which(|post| {
         let word = word(post, 9814, "D");
@@ -297,7 +297,7 @@ fn a_dialect_of_its_own_is_written() {
     assert_eq!(own.half_digit(1.0), 0.005 * (1.0 + 1e-6));
 }
 
-/// The control's refusals: every cycle in every form, and what makes a control's own cycle refuse it.
+/// The control's refusals: every cycle in every form, and what makes a native cycle refuse it.
 fn refused_jobs() -> Vec<Value> {
     let variants: [&[(&str, &str)]; 8] = [
         &[],

@@ -6,7 +6,7 @@
 //! - `programs.snap`: hashes of the jobs' own programs.
 //! - `<control>.snap`: a control whose programs are nearly those of another one, as what differs.
 //!
-//! The values of the job in a program's header stand in the first program of each control, and are cut in the others; so is our version, and the numbers of
+//! The values of the job in a program's header are in the first program of each control, and are cut in the others; so is our version, and the numbers of
 //! Klartext's blocks. New snapshots are made by `INSTA_UPDATE=always cargo test --lib golden`.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,7 +28,7 @@ const KIN: [(&str, &str); 7] = [
     ("okuma-cycle", "fanuc-cycle"),
 ];
 
-/// The control whose programs stand beside the path of their job.
+/// The control whose programs are beside the path of their job.
 const FIRST: &str = "linuxcnc";
 
 fn triple(p: [f64; 3]) -> String {
@@ -210,7 +210,7 @@ fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
     assert!(jobs.len() >= 10);
     let mut all = BTreeMap::new();
     for post in POSTS {
-        // What has no other form than its macros stands with those.
+        // What has no other form than its macros is with those.
         if post.own.is_none() || post.read.is_some() {
             let programs = jobs
                 .iter()

@@ -170,7 +170,7 @@ fn watched_positioning_that_stops_too_late_is_named() {
             "{post}"
         );
     }
-    // 1411: FMAX; its arcs are watched, too, and the control's own cycle watches nothing that is known here.
+    // 1411: FMAX; its arcs are watched, too, and the native cycle watches nothing that is known here.
     let circles = with(
         &default_job("probing-two-circles").unwrap(),
         "cycle.probe.rapid",
@@ -185,7 +185,7 @@ fn watched_positioning_that_stops_too_late_is_named() {
     assert_eq!(codes(&moves), ["Warning stops-too-late cycle.probe.rapid"]);
 }
 
-/// A cycle of the control's own measures at its own feed; its approach is the program's.
+/// A native cycle measures at its own feed; its approach is the program's.
 #[test]
 fn a_cycle_of_the_controls_own_has_its_own_feed() {
     let own = with(

@@ -17,7 +17,7 @@ fn numbers(value: &Value) -> Vec<Option<f64>> {
         .collect()
 }
 
-/// Lower and upper deviation in micrometres of a class in a sub-band; none where the standard gives none.
+/// Lower and upper deviation in micrometres of a class in a sub-band; `None` if the standard gives none.
 fn expected(
     tables: &Value,
     letter: &str,

@@ -964,7 +964,7 @@ fn a_program_comes_back_as_its_job() {
     }
 }
 
-/// A rectangle whose first side lies along Y: its results stand in the order of the job, and what keeps them, too.
+/// A rectangle whose first side lies along Y: its results are in the order of the job, and what keeps them, too.
 #[test]
 fn results_of_a_turned_rectangle_keep_their_order() {
     let turned = [("cycle.rotation", number(90.0))];

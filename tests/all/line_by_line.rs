@@ -5,7 +5,7 @@ use crate::common::canonical;
 use touchpath::import::read_program;
 use touchpath::import::toolpath::KINDS;
 
-/// A move, whoever found it: the number of its line, what it is, and where it ends.
+/// A move of either reader: the number of its line, what it is, and where it ends.
 #[derive(Debug, PartialEq)]
 struct Found {
     line: usize,

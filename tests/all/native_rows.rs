@@ -8,7 +8,7 @@ use crate::common::{Draws, number, point as list, with};
 use touchpath::form::Value;
 use touchpath::job::plan;
 
-/// A random job of a feature that a control's own cycles take: any place, size and side, with a work offset or without.
+/// A random job of a feature that native cycles take: any place, size and side, with a work offset or without.
 fn drawn(draws: &mut Draws, cycle: &'static str, post: &str) -> Value {
     let mut length = |low: f64, high: f64| number((draws.of(low, high) * 1000.0).round() / 1000.0);
     let origin = vec![
@@ -82,7 +82,7 @@ fn macro_calls(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
         .collect()
 }
 
-/// The words of a call, read back as a job, are those of its program: whatever the feature is, wherever it lies. What the words say of limits and of the log is
+/// The words of a call, read back as a job, are those of its program: for any feature at any position. What the words say of limits and of the log is
 /// no feature's.
 #[test]
 fn the_words_of_random_calls_are_read_as_they_were_written() {
@@ -224,11 +224,11 @@ fn a_foreign_call_is_read_with_the_words_that_it_has() {
         ))),
         0
     );
-    // 425 that lifts between the walls goes over what stands there: no program here does that without writing.
+    // 425 that lifts between the walls goes over what is there: no program here does that without writing.
     let slot = "425 Q328=+0 Q329=+0 Q310=+0 Q272=+1 Q261=-5 Q260=+20 Q311=+60";
     assert!(job_of(&klartext(slot)).is_some());
     assert_eq!(job_of(&klartext(&format!("{slot} Q320=+4 Q301=+1"))), None);
-    // A centre that the call says, but that nobody knows, is not where the stylus stands.
+    // A centre that the call says, but that nobody knows, is not where the stylus is.
     let bore = |centre: &str| {
         siemens(&format!(
             "CYCLE977(101,10001,,1,30,,,7,5,0,1,1,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,{centre})"

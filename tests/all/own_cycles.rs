@@ -1,4 +1,4 @@
-//! Programs that call a control's own cycles: Renishaw's macros, judged by a Fanuc of our own that knows each call from its description and shares nothing with the
+//! Programs that call native cycles: Renishaw's macros, judged by a Fanuc of our own that knows each call from its description and shares nothing with the
 //! crate. It reads the program's text, knows where the part's faces are, and says where the ball's centre is at each second touch.
 
 use std::collections::BTreeMap;
@@ -72,7 +72,7 @@ struct Judge<'p> {
 }
 
 impl Judge<'_> {
-    /// From where it stands towards a place, and `q` beyond it.
+    /// From where it is towards a place, and `q` beyond it.
     fn touch(&mut self, place: [f64; 3], q: f64) -> [f64; 3] {
         let way: Vec<f64> = (0..3).map(|i| place[i] - self.at[i]).collect();
         let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -96,7 +96,7 @@ impl Judge<'_> {
         contact
     }
 
-    /// Both sides along a direction about where it stands: from the middle, or from outside and beside.
+    /// Both sides along a direction about where it is: from the middle, or from outside and beside.
     fn sides(
         &mut self,
         along: [f64; 2],
@@ -701,7 +701,7 @@ fn each_control_has_its_own_words() {
     );
 }
 
-/// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S stands where nothing is measured again.
+/// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S is where nothing is measured again.
 #[test]
 fn two_circles_are_measured_from_feature_to_feature() {
     let given = [

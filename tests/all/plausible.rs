@@ -407,7 +407,7 @@ fn circles_of_eight_points_fit_the_variables_of_a_fanuc_and_a_haas() {
     }
 }
 
-/// What is said of a control's own cycle that measures a bad result on a part of these limits.
+/// What is said of a native cycle that measures a bad result on a part of these limits.
 fn own_cycle(post: &str, cycle: &str, part: &str, offset: &str) -> Vec<String> {
     let job = job(&format!(
         r#"{{ "format": 1, "control": {{ "post": "{post}", "form": "cycle", "workOffset": {offset} }}, "cycle": {cycle},

@@ -27,8 +27,8 @@ fn pocket(stylus: &str, cycle: &str) -> Value {
     ))
 }
 
-/// The body is 40 wide. In front of the wall the ball stands 8 from it: at a depth beyond the length the body is below the top side, and 20 reaches over
-/// the wall. At the length itself it stands on the top side's level, and clears it.
+/// The body is 40 wide. In front of the wall the ball is 8 from it: at a depth beyond the length the body is below the top side, and 20 reaches over
+/// the wall. At the length itself it is on the top side's level, and clears it.
 #[test]
 fn the_body_meets_the_top_of_a_deep_pocket() {
     let deep = |depth: f64| {
@@ -78,7 +78,7 @@ fn a_thick_shank_meets_the_wall_first() {
         values(finding),
         ["5", "4", "1", "X 36.9, Y 0, Z -10", "6.2 mm", "6 mm"]
     );
-    // A corner knows no top side: its walls stand at least as high as they are touched, and the shank begins there.
+    // A corner knows no top side: its walls are at least as high as they are touched, and the shank begins there.
     let corner = r#"{ "format": 1, "stylus": { "diameter": 6, "shank": 6.2 }, "cycle": { "type": "double-wall-internal-corner" } }"#;
     assert_eq!(found(&job(corner), "shank-collision").len(), 1);
 }

@@ -101,7 +101,7 @@ fn a_result_out_of_its_tolerance_stops_the_program_or_is_marked_or_only_judged()
     }
 }
 
-/// A path that ends with a retract which nothing watches: the control stands still before it asks, since its alarm would stop the ball on the
+/// A path that ends with a retract which nothing watches: the control is still before it asks, since its alarm would stop the ball on the
 /// way.
 #[test]
 fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
@@ -389,7 +389,7 @@ fn what_is_no_tolerance_is_said_at_its_place() {
     );
 }
 
-/// A program that cannot compare is refused what follows, and judged by whoever reads it.
+/// A program that cannot compare is refused what follows, and judged by its reader.
 #[test]
 fn a_control_that_cannot_compare_is_not_asked_to() {
     let moves = without(&of_moves(), &computing())

@@ -618,7 +618,7 @@ fn skip_is_sane_on(plan: &Plan, contacts: Vec<[f64; 3]>) -> Result<(), String> {
                 .map_err(|_| format!("{word} is no place"))?;
         }
     } else if let Some(first) = plan.moves.first() {
-        // Above all, wherever that is.
+        // Above all of them.
         control.at = [first.to[0] + 40.0, first.to[1] - 30.0, first.to[2] + 70.0];
     }
     control.run(text).map_err(|e| format!("{e}\n{text}"))?;

@@ -152,7 +152,7 @@ fn without_stock(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
         };
     }
     let job = without_tolerances(catalog, draw, index);
-    // Of cycles of the control's own few are planned.
+    // Of native cycles few are planned.
     let own = word(&job, &["control", "form"]) == "cycle";
     let often = if own {
         1
@@ -610,7 +610,7 @@ fn cycle(draw: &mut Draw, def: &CycleEntry, scale: f64) -> Value {
     let mut cycle = form(draw, &def.fields, scale, 2);
     cycle.push(("type".to_owned(), text(def.key)));
     for section in &def.sections {
-        // The control's own cycles are refused with repeats.
+        // Native cycles are refused with repeats.
         let seldom = if section.key == "repeat" { 8 } else { 4 };
         if draw.once_in(if section.optional { seldom } else { 2 }) {
             cycle.push((

@@ -1,4 +1,4 @@
-// The command in a build: where findings stand in a file, and what GitHub and JUnit read.
+// The command in a build: where findings are in a file, and what GitHub and JUnit read.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -7,7 +7,7 @@ import { file, folder, run, setUp, touchpath, wrong } from "./command.mjs";
 
 setUp();
 
-/** A job of two cycles as a person writes it: what is wrong stands in lines 5, 6, 9 and 11. */
+/** A job of two cycles as a person writes it: what is wrong is in lines 5, 6, 9 and 11. */
 const WRITTEN = `{
   "format": 2,
   "name": "VISE \\"A\\"", "units": "mm",
@@ -62,7 +62,7 @@ test("a finding says the line and the column of what it is about", () => {
       .map((/** @type {any} */ f) => f.line),
     [11],
   );
-  // What is missing stands where it is missing; a tolerance's key has a dot in it.
+  // What is missing is where it is missing; a tolerance's key has a dot in it.
   writeFileSync(
     join(folder, "bore.json"),
     '{ "format": 1,\n  "cycle": { "type": "hole" },\n  "tolerances": { "diameter": { "tolerance": "about 5" } } }',

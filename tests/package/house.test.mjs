@@ -38,3 +38,44 @@ test("files of the page make no circles, types included", () => {
   assert.deepEqual(circles, [], "these import each other");
   assert.ok([...imports.values()].flat().length > 150, "imports are followed");
 });
+
+/**
+ * Words that make a reader stop, with a better one, and how many comments and messages had them when this was written. New ones are refused; who rewrites
+ * old ones lowers the number.
+ */
+const WORST = [
+  { word: /\bstands?\b/g, better: "is, has, contains", most: 20 },
+  { word: /\bwhoever\b/gi, better: "the caller, the reader", most: 0 },
+  { word: /\bwherever\b/gi, better: "everywhere", most: 0 },
+  { word: /\bis of\b/g, better: "belongs to", most: 22 },
+  { word: /\bis that of\b/g, better: "equals", most: 58 },
+  { word: /\bas far as\b/g, better: "up to, if", most: 20 },
+  { word: /\bby itself\b/g, better: "automatically", most: 16 },
+  { word: /\bnone where\b/gi, better: "`None` if", most: 0 },
+];
+
+test("comments and messages get no more of the words that make a reader stop", () => {
+  const root = join(www, "..");
+  const comments = ["src", "www", "scripts", "tests"].flatMap((folder) =>
+    readdirSync(join(root, folder), { recursive: true, encoding: "utf8" })
+      .filter((name) => /\.(rs|ts|mjs|css)$/.test(name))
+      .filter((name) => !name.startsWith("wasm") && !/core.wasm/.test(name))
+      .flatMap((name) =>
+        readFileSync(join(root, folder, name), "utf8")
+          .split("\n")
+          .filter((line) => /^\s*(\/\/|\/?\*)/.test(line)),
+      ),
+  );
+  const messages = Object.keys(
+    JSON.parse(readFileSync(join(www, "words", "de.json"), "utf8")),
+  );
+  const text = [...comments, ...messages].join("\n");
+  const more = WORST.flatMap(({ word, better, most }) => {
+    const count = text.match(word)?.length ?? 0;
+    return count > most
+      ? [`${word.source}: ${count}, at most ${most}; write: ${better}`]
+      : [];
+  });
+  assert.deepEqual(more, []);
+  assert.ok(comments.length > 10_000, "comments are read");
+});

@@ -110,7 +110,7 @@ function dice(/** @type {number} */ seed) {
   };
 }
 
-/** What stands where a value stood. */
+/** What is where a value stood. */
 const STRANGE = [
   null,
   true,

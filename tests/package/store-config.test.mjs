@@ -31,7 +31,7 @@ const HALL = {
   styli: [{ name: "Ball 4", diameter: 4 }],
 };
 
-/** What the element gives its store, as the page around sets it: each input in its turn. */
+/** What the element gives its store, as the host page sets it: each input in its turn. */
 function given(/** @type {[string, unknown][]} */ ...inputs) {
   const store = new Store();
   for (const [input, value] of inputs)

@@ -85,7 +85,7 @@ test("LinuxCNC's log of a probe gives the measured points of the job, and one st
   const store = new Store();
   store.openPoints(text.trim());
   const { results } = measure(store.job, store.measured);
-  // The balls stand 74.02 apart, and the ball is 6 wide.
+  // The balls are 74.02 apart, and the ball is 6 wide.
   assert.equal(
     results.find((row) => row.code === "width1")?.value?.toFixed(3),
     "80.020",

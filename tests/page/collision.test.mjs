@@ -40,7 +40,7 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   );
   await page.getByRole("tab", { name: "Program" }).click();
   assert.notEqual((await pixels()).sum, good.sum);
-  // The crossed ball stands where the message says.
+  // The crossed ball is where the message says.
   const place = /X (-?[\d.]+), Y (-?[\d.]+)/.exec(await textOf(stamp));
   assert.ok(place);
   const red = await page.evaluate(
@@ -85,7 +85,7 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
 });
 
 test("a form that has no path keeps the picture of the last valid plan, also after one that had a collision", async () => {
-  // The handles of the part stand out while its fields have the focus.
+  // The handles of the part are shown while its fields have the focus.
   await field("part.offset[0]").focus();
   const good = await pixels();
   await field("part.offset[0]").fill("60");

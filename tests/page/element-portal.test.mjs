@@ -391,7 +391,7 @@ test("an element has the language of its own lang, or that of what is around it"
     [await tab("own"), await tab("around"), await tab("none")],
     [de, ru, "Results"],
   );
-  // What an element says to the page around stays data: English, with what can be said in another language beside it.
+  // What an element says to the host page stays data: English, with what can be said in another language beside it.
   const said = await page.evaluate(() => {
     const own = /** @type {any} */ (document.querySelector("#own"));
     own.job = { ...own.job, overtravel: -1 };
@@ -462,7 +462,7 @@ test("the language that is set last is shown, however late the words of the one 
         ?.shadowRoot?.querySelector("#tab-results")?.textContent === ru,
     ru,
   );
-  // Inside a shadow root of the host's own, the language of the page around is meant.
+  // Inside a shadow root of the host's own, the language of the host page is meant.
   const german = await page.evaluate(async () => {
     const host = document.createElement("div");
     host.lang = "de-DE";

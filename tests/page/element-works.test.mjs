@@ -1,4 +1,4 @@
-// <touch-path> worked by the page around: what is put in and taken out beside the job, and the control of a form that libraries look for.
+// <touch-path> worked by the host page: what is put in and taken out beside the job, and the control of a form that libraries look for.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { panel } from "./common.mjs";

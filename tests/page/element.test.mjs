@@ -228,7 +228,7 @@ test("readonly: nothing changes the job but the page around, and the program can
     .locator(`${inner("picture")} ${PICTURE}`)
     .boundingBox();
   assert.ok(canvas);
-  // The virtual part's handle stands at the feature's own origin.
+  // The virtual part's handle is at the feature's own origin.
   const spot = await page.evaluate((name) => {
     const picture = /** @type {any} */ (
       document.querySelector("touch-path")?.shadowRoot?.querySelector(name)

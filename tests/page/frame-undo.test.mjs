@@ -206,7 +206,7 @@ test("on a Russian keyboard Ctrl+Z did nothing: a shortcut is a key's letter, or
     );
   await press("я", "KeyZ");
   assert.equal(await width.inputValue(), before);
-  // н stands on Y, which does again what was undone; on a German keyboard z is typed there, and undoes.
+  // н is on Y, which does again what was undone; on a German keyboard z is typed there, and undoes.
   await press("н", "KeyY");
   assert.equal(await width.inputValue(), "66");
   await press("z", "KeyY");

@@ -519,7 +519,7 @@ for (const width of [768, 844, 900, 1024, 1080, 1280, 1440])
         );
         const { font, paddingLeft, paddingRight } = getComputedStyle(select);
         pen.font = font;
-        // The arrow of a choice stands in the padding.
+        // The arrow of a choice is in the padding.
         const room =
           select.clientWidth -
           Number.parseFloat(paddingLeft) -

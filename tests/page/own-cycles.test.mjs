@@ -1,4 +1,4 @@
-// A program that calls cycles of the control's own: the picture shows their path, the lines are the calls, the results have the control's names.
+// A program that calls native cycles: the picture shows their path, the lines are the calls, the results have the control's names.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

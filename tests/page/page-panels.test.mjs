@@ -524,7 +524,7 @@ test("a program is compared with the one saved last and with the other form of i
   await field("control.post").selectOption("haas");
   await choice.selectOption("form");
   await shown.first().waitFor();
-  // Side by side: each column is its whole program, and lines that replace others stand beside them.
+  // Side by side: each column is its whole program, and lines that replace others are beside them.
   await page.getByRole("button", { name: "Side by side" }).click();
   const rows = page.locator("dialog.beside tbody tr");
   const column = async (/** @type {number} */ n) =>

@@ -192,7 +192,7 @@ test("two circles: a class in a diameter, the verdict of the size, the handle of
     /ISO 286 has no H99/,
   );
   await field("cycle.diameter1").fill("20H7");
-  // The handle of the first touch stands to the right of circle 1; dragged up, the start angle becomes 90°.
+  // The handle of the first touch is to the right of circle 1; dragged up, the start angle becomes 90°.
   const box = await boxOf(page.locator(PICTURE));
   let from = null;
   const cursor = () => page.locator(PICTURE).evaluate((c) => c.style.cursor);
@@ -271,7 +271,7 @@ test("every cycle has a plan on the page, and its steps light up with the move",
         lit.length > 0 && lit.every((text) => text === steps[step - 1]),
         `${type}: ${lit} at ${said}`,
       );
-      // The line that is lit stands under a heading of that step.
+      // The line that is lit is under a heading of that step.
       const over = await page
         .locator("tp-program [aria-selected=true]")
         .locator("..")

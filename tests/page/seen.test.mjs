@@ -353,7 +353,7 @@ test("LinuxCNC's log of a probe was no file that the page knew", async () => {
       .getAttribute("aria-selected"),
     "true",
   );
-  // The balls stand 74.02 apart, and the ball is 6 wide.
+  // The balls are 74.02 apart, and the ball is 6 wide.
   assert.match(
     await textOf(
       page.locator("tp-results tbody tr").filter({ hasText: "Width 1" }),

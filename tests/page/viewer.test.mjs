@@ -137,7 +137,7 @@ test("an opened program stood under “No problems found”, and Save handed out
   assert.doesNotMatch(await textOf(verdict), /Ready|27 moves/);
   assert.match(await textOf(verdict), /Not checked, not proven/);
   const saved = await held();
-  // Escape closes the menu, is its own in what the page around has put in, and then leads back to the job.
+  // Escape closes the menu, is its own in what the host page has put in, and then leads back to the job.
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor();
   await page.evaluate(() => {
@@ -295,7 +295,7 @@ test("a long program: only lines that are seen are in the document; a line and i
   await lines.first().waitFor();
   assert.ok((await lines.count()) < 300, String(await lines.count()));
   const told = () => textOf(viewer.locator("p[role=status]"));
-  // Words that stand far below are found, and their line is brought into sight.
+  // Words that are far below are found, and their line is brought into sight.
   await viewer.getByLabel("Find in the program").fill("n15000 ");
   const found = viewer.locator(".line.here");
   await found.waitFor();
@@ -381,7 +381,7 @@ test("a program of very many moves froze the page while it was drawn: it is draw
       };
       const count = (/** @type {number} */ n) =>
         Array.from({ length: Math.round(n) }, (_, i) => i);
-      // Axes and scale stand lower.
+      // Axes and scale are lower.
       const row = count(width).filter((x) =>
         count(height / 3).some((y) => ink(x, y + Math.round(height / 3))),
       );

@@ -53,7 +53,7 @@ test("a release is refused where a version or the changelog does not fit or no r
   assert.equal(wrong.status, 1);
   assert.match(wrong.stderr, /the tag says 99\.0\.0/);
   const { status, stderr } = release(`v${version}`);
-  // Between releases only the changelog may stand in the way, and a repository that has no name yet.
+  // Between releases only the changelog may be in the way, and a repository that has no name yet.
   const nameless =
     "package.json names no repository: npm publishes no provenance without it\n";
   assert.equal(stderr.startsWith(nameless), !repository);

@@ -55,7 +55,7 @@ export function defaultJob<T extends Cycle["type"]>(
   return instance.call(() => raw.defaultJob(type, units));
 }
 
-/** The name that a job has by itself: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */
+/** The default name of a job: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */
 export function jobName(job: unknown): string {
   return on(job, raw.jobName);
 }
@@ -271,7 +271,7 @@ export function importJob(text: string): Imported {
   const imported = instance.call<Imported>(() =>
     raw.importJob(text, codes, texts),
   );
-  // What is a job in JSON is that job, with all that stands in it: then the module gives none.
+  // What is a job in JSON is that job, with all that is in it: then the module gives none.
   return imported.kind === "job"
     ? { ...imported, job: imported.job ?? (json as Job) }
     : imported;
@@ -290,7 +290,7 @@ export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
 }
 
 /**
- * Runs any program with what is known beside its text: values of variables, where the stylus stands, where touches trigger, the files of its subprograms. What
+ * Runs any program with what is known beside its text: values of variables, where the stylus is, where touches trigger, the files of its subprograms. What
  * stays unknown is `NaN`, never a guess: after a touch of which `part` says nothing, the place along its way. Throws `JobError` for a text that is too long, and for
  * what is known where that is wrong.
  */

@@ -1,4 +1,4 @@
-// The functions of the package for what loads nothing by itself: the module is handed over.
+// The functions of the package without a loader: the caller passes the module.
 import { attach, type Raw } from "./instance.js";
 import * as raw from "./wasm/touchpath.js";
 

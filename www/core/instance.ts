@@ -76,7 +76,7 @@ export interface Raw {
  * good, so a fresh one takes its place before the next call.
  */
 export class Instance {
-  /** Counts the instances: what was made by an earlier one is of no use to this one. */
+  /** Counts the instances: objects of an earlier one are invalid in this one. */
   number = 0;
   private broken = false;
   /** Calls under way: a getter of a job may itself call in. */

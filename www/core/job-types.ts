@@ -706,7 +706,7 @@ export interface Job {
   control?: {
     /** Which control the program is for. */
     post?: "linuxcnc" | "grbl" | "grblhal" | "fluidnc" | "sinumerik" | "heidenhain" | "fanuc" | "haas" | "mazak" | "brother" | "hurco" | "okuma";
-    /** Plain moves: every move written out, on the job's path. The control's own cycle: a few calls, on the cycle's own path, which is shown. */
+    /** Plain moves: every move written out, on the job's path. The native cycle: a few calls, on the cycle's own path, which is shown. */
     form?: "moves" | "cycle";
     /** The work offset that the program writes at its end: 1 is G54. Empty: measure only. `null`: measure only. */
     workOffset?: number | null;
@@ -726,7 +726,7 @@ export interface Job {
     probeInput?: number;
     /** Where the program shows its results before it ends. */
     report?: "screen" | "log" | "none";
-    /** SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance. */
+    /** SET_UP of the touch probe table: native cycles add it to their set-up clearance. */
     setUp?: number;
     /** Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */
     number?: number | null;

@@ -393,7 +393,7 @@ export interface Move {
   feed: "approach" | "longLink" | "work" | "retract" | "return" | "rapid";
   /** `position`, `touch` or `back`. */
   kind: "position" | "touch" | "back";
-  /** Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where cycles of the control's own make it: which line makes it, from that of the first move on. */
+  /** Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on. */
   step: number;
   /** Index of the touch that it makes or comes back from; null for positioning. */
   touch: number | null;
@@ -490,7 +490,7 @@ export interface SafetyRow {
   said: Said;
   /** The 0-based lines that break it. */
   lines: number[];
-  /** The 0-based lines that it was asked of, whether they keep or break it; those of the control's own cycle where that answers for it. */
+  /** The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it. */
   about: number[];
 }
 
@@ -502,7 +502,7 @@ export interface ProgramText {
   extension: string;
   /** Its lines, each ended by a line feed. */
   text: string;
-  /** For each move the 0-based line that makes it; −1 where the control's own cycle makes it. */
+  /** For each move the 0-based line that makes it; −1 where the native cycle makes it. */
   moveLines: number[];
   /** What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
   writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
@@ -512,7 +512,7 @@ export interface ProgramText {
   said: Said;
   /** What was proven of it; null in the form `cycle`. */
   proof: ProofRow | null;
-  /** Whether the moves of the plan are those that cycles of the control's own make, which the program calls. */
+  /** Whether the moves of the plan are those that native cycles make, which the program calls. */
   own: boolean;
 }
 
@@ -720,13 +720,13 @@ export interface RelationEntry {
 export interface SupportEntry {
   /** The value of `cycle.type`. */
   type: Cycle["type"];
-  /** `moves`: plain moves and touches. `cycle`: the control's own cycle. */
+  /** `moves`: plain moves and touches. `cycle`: the native cycle. */
   form: "moves" | "cycle";
   /** Whether the control takes the cycle in this form. */
   supported: boolean;
   /** Why not; null where it does. */
   reason: string | null;
-  /** Whether this cycle of the control's own corrects the active preset by itself, so that no work offset is chosen. */
+  /** Whether this native cycle corrects the active preset by itself, so that no work offset is chosen. */
   ownPreset: boolean;
 }
 

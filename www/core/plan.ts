@@ -145,7 +145,7 @@ export function findingsOf(packed: Packed): Finding[] {
   return r.list(() => finding(r));
 }
 
-/** What is made once, when it is first read; whoever writes to it has their own. */
+/** What is made once, when it is first read; a caller that writes to it has a copy. */
 class Part<T> {
   private made: { value: T } | undefined;
   constructor(private readonly make: () => T) {}

@@ -41,7 +41,7 @@ export type Token =
 
 /** What the frame holds. */
 export interface FrameView {
-  /** The job as it stands in the form, errors and all. */
+  /** The job as it is in the form, errors and all. */
   job: Job;
   /** Its plan; `null` where it has errors. */
   plan: Plan | null;

@@ -1,4 +1,4 @@
-// What is said of results wherever they are listed.
+// Words for results, the same in every list.
 import type { Plan, ResultRow } from "./plan-types.js";
 
 /** The code of a result; where there are several cycles, or relations, behind the name of its own: `BORE.diameter`. */

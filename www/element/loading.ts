@@ -31,7 +31,7 @@ export class Attempt {
   });
 
   constructor() {
-    // Whoever does not wait for it sees it in the element.
+    // Callers that do not wait for it see the failure in the element.
     this.ready.catch(() => undefined);
   }
 }

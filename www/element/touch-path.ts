@@ -38,8 +38,8 @@ type Units = "mm" | "inch";
  * @attr {boolean} disabled - Whether the form control is disabled: the job is read-only and is not submitted.
  * @attr {string} name - The name under which a form gets the job's JSON.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
- * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the page around. A job with errors gives no event.
- * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
+ * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the host page. A job with errors gives no event.
+ * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the host page it does.
  * @fires {CustomEvent<Selection>} selection-change - The user has selected another move, line or field, or the selected move is gone.
  * @fires {CustomEvent<{ measured: string }>} measured-change - The user has changed the measured points.
  * @fires {Event} input - The user has changed the job, as `job-change` says: for form libraries.
@@ -94,7 +94,7 @@ export class TouchPath extends Showing {
   constructor() {
     super();
     this.inside = this.attachInternals();
-    // What the page around has put inside is seen until there is more.
+    // What the host page has put inside is seen until there is more.
     this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
     this.addEventListener("invalid", this.unseen);
   }
@@ -167,7 +167,7 @@ export class TouchPath extends Showing {
     }
   }
 
-  /** The job as it stands in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
+  /** The job as it is in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
   get job(): Job | undefined {
     return this.store && (structuredClone(this.store.job) as unknown as Job);
   }

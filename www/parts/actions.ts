@@ -24,7 +24,7 @@ interface Page {
   isWide(): boolean;
   hasTab(panel: Panel): boolean;
   show(panel: Panel): void;
-  /** Shows a panel, wherever it is. */
+  /** Shows a panel, in this element or elsewhere on the page. */
   open(panel: Exclude<Panel, "setup">): Promise<void>;
   tell(said: Said | null, passing?: boolean): void;
 }
@@ -64,7 +64,7 @@ export class Actions {
       },
       open: () => this.app.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => {
-        // What is said from here on is of what is pasted.
+        // Messages from here on concern what is pasted.
         this.page.tell(null);
         this.app.querySelector<PastePart>("tp-paste")?.open();
       },

@@ -191,7 +191,7 @@ export class App extends LitElement {
     return this;
   }
 
-  /** Whether the page around has asked for the parameters by name. */
+  /** Whether the host page has asked for the parameters by name. */
   private asked = false;
 
   /** What is shown, and in which colours; `asked`: the parameters were asked for by name. */
@@ -228,7 +228,7 @@ export class App extends LitElement {
     if (this.picture) this.picture.from = view;
   }
 
-  /** What the page around asks for, and the picture that has it already. */
+  /** What the host page asks for, and the picture that has it already. */
   private sight: View = "top";
   private turned: PicturePart | null = null;
 
@@ -360,7 +360,7 @@ export class App extends LitElement {
       </div>
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tools.now !== "cycles"}>
         ${repeat(
-          // One order for eye and Tab: on a narrow page, and on one that is higher than wide, the picture stands above the form.
+          // One order for eye and Tab: on a narrow page, and on one that is higher than wide, the picture is above the form.
           (stacked
             ? (["stage", "form"] as const)
             : (["form", "stage"] as const)
@@ -537,7 +537,7 @@ export class App extends LitElement {
     return [...shown(this.store)].find((app) => app.sees(panel)) ?? this;
   }
 
-  /** To a field, wherever the form is shown. */
+  /** To a field, in the element that shows the form. */
   find(path: string): void {
     this.with("form").actions.go(path);
   }
@@ -558,7 +558,7 @@ export class App extends LitElement {
       this.tell((event as CustomEvent<Said>).detail, true);
   };
 
-  /** Shows a panel, wherever it is. */
+  /** Shows a panel, in this element or elsewhere on the page. */
   private async open(panel: Exclude<Panel, "setup">): Promise<void> {
     const app = this.with(NAME_OF[panel]);
     await app.tools.use("cycles");
@@ -566,7 +566,7 @@ export class App extends LitElement {
     app.show(there ? panel : "results");
   }
 
-  /** Light or dark: what the page around wants, or the system. */
+  /** Light or dark: what the host page wants, or the system. */
   private readonly recolour = (): void => {
     const dark =
       this.theme === "dark" || (this.theme === "auto" && system.matches);

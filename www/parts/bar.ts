@@ -226,7 +226,7 @@ class BarPart extends FieldPart {
     });
   }
 
-  /** What is written: a work offset; where the control's own cycle writes by itself, what that sets; where it has none, what the program does. */
+  /** What is written: a work offset; where the native cycle writes, what that sets; where it has none, what the program does. */
   private does(): TemplateResult {
     const { store } = this;
     const own = store.ownPreset(store.get("control.post"), store.cycle.type);
@@ -270,7 +270,7 @@ class BarPart extends FieldPart {
     }
   }
 
-  /** What the control's own cycle sets by itself. */
+  /** What the native cycle sets. */
   private sets(): TemplateResult {
     const { store } = this;
     const cycle = store.draft.cycle as Draft;

@@ -55,7 +55,7 @@ export function checked(store: Store): string {
     .join("; ");
 }
 
-/** Of how many rules the program can say nothing: the control's own cycle does it, or the control cannot. */
+/** Of how many rules the program can say nothing: the native cycle does it, or the control cannot. */
 function unheld(store: Store, count: number): string {
   return store.ownCycle
     ? store.t("{count} left to the native cycles", count)
@@ -109,7 +109,7 @@ class ChecksPart extends Part {
     this.requestUpdate();
   };
 
-  /** What each control makes of the form as it stands: a program of so many lines, or why there is none. */
+  /** What each control makes of the form as it is: a program of so many lines, or why there is none. */
   private controls(): TemplateResult {
     const { store } = this;
     const now = store.draft.control as { post: string; form: string };

@@ -21,7 +21,7 @@ interface Page {
   show(link: string): void;
   /** Says where the program is seen that it was saved, and whether another one of this name was saved before. */
   saved(name: string, other: boolean): void;
-  /** Offers a program to the page around; false where that saves it itself. */
+  /** Offers a program to the host page; false where that saves it itself. */
   offer(saving: Saving): boolean;
   /** The picture that is looked at. */
   picture(): PicturePart | null;
@@ -51,7 +51,7 @@ export class Export {
     return true;
   }
 
-  /** Saves the form as it stands, also with errors: it is the user's work. */
+  /** Saves the form as it is, also with errors: it is the user's work. */
   job(): void {
     download(
       `${JSON.stringify(this.store.job, null, 2)}\n`,
@@ -60,7 +60,7 @@ export class Export {
     );
   }
 
-  /** Saves the picture as it is looked at, of the form as it stands. */
+  /** Saves the picture as it is looked at, of the form as it is. */
   picture(): void {
     const { store } = this;
     if (store.withheld !== null) {

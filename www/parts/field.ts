@@ -5,7 +5,7 @@ import { head } from "../features.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
 import { Part } from "./part.js";
 
-/** A field and where its value stands in the job. */
+/** A field and where its value is in the job. */
 export interface Placed {
   field: FieldEntry;
   path: string;
@@ -14,9 +14,9 @@ export interface Placed {
 interface Choice {
   value: string | number | null;
   label: string;
-  /** Why it cannot be taken here: whoever chooses it is told. */
+  /** Reason why it cannot be chosen here, shown when it is chosen. */
   not?: string;
-  /** The heading that it stands under; choices under the same one follow each other. */
+  /** The heading that it is under; choices under the same one follow each other. */
   under?: string;
 }
 

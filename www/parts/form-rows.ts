@@ -75,7 +75,7 @@ export abstract class FormRows extends FieldPart {
     );
   }
 
-  /** The styli that the page around offers. */
+  /** The styli that the host page offers. */
   protected styli(): TemplateResult | typeof nothing {
     const { store } = this;
     const styli = store.rules.styli(store.units);
@@ -108,7 +108,7 @@ export abstract class FormRows extends FieldPart {
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
 
-  /** A field of the form; one that the page around fixes cannot be changed, as long as it has the value that it must have. */
+  /** A field of the form; one that the host page fixes cannot be changed, as long as it has the value that it must have. */
   protected field(placed: Placed): TemplateResult {
     const { rules } = this.store;
     const { path } = placed;

@@ -81,7 +81,7 @@ class FormPart extends FormRows {
   /** What the user has folded or opened. */
   private readonly opened = new Map<string, boolean>();
 
-  /** Whether everything else stands open. */
+  /** Whether everything else is open. */
   private all = false;
 
   override render(): TemplateResult {
@@ -201,7 +201,7 @@ class FormPart extends FormRows {
     return this.updateComplete;
   }
 
-  /** Fields under their headings: the cycle's own first, then what stands around it. */
+  /** Fields under their headings: the cycle's own first, then what is around it. */
   private groups(): [string, Placed[]][] {
     this.optional.clear();
     const { ownFeeds: own, maxTouches } = this.store.cycle;
@@ -338,7 +338,7 @@ class FormPart extends FormRows {
     return this.store.findings.filter(of).map((f) => f.level);
   }
 
-  /** What a drawing says stands open at first. */
+  /** What a drawing says is open at first. */
   private isOpen(name: string): boolean {
     const own = this.store.cycle.fields.some((f) => f.group === name);
     return this.opened.get(name) ?? (this.all || own);
@@ -447,7 +447,7 @@ class FormPart extends FormRows {
     const shown = (x: unknown) =>
       typeof x === "number" ? this.store.number(String(x)) : String(x);
     const behind = DOORS.some(([, groups]) => groups.test(name));
-    // What stands as in a new job is not worth the line.
+    // Values of a new job need no line.
     const said = sorted.filter(({ field, path }) => {
       // The save button already shows the name.
       if (path === "name") return faulty(path);

@@ -15,17 +15,17 @@ interface Page {
   tell(text: string): void;
   /** Shows the job again, whatever is shown now. */
   showJob(): void;
-  /** What came in is of a CAM system: its author sees parameters and codes. */
+  /** The text came from a CAM system: its author sees parameters and codes. */
   forCam(): void;
   /** Whether the results are among the panels. */
   showsResults(): boolean;
-  /** Shows the results, where measured points stand beside them. */
+  /** Shows the results, where measured points are beside them. */
   showResults(): void;
   /** Shows the moves of a program that says no job. */
   showMoves(viewed: Viewed): void;
   /** Loads what reads texts, and says so where that takes a while. */
   whole(): Promise<void>;
-  /** Reads a text beside the page, until the signal says that it is of no use any more; null where that cannot be. */
+  /** Reads a text beside the page, until the signal aborts it; null if that is not possible. */
   beside(text: string, signal: AbortSignal): Promise<Reading> | null;
 }
 
@@ -53,7 +53,7 @@ export interface Viewed {
 
 /** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
 export class Intake {
-  /** Of the text that was taken up last: aborted when another one is, since what was read is of no use then. */
+  /** For the text that is being read: aborted when another text comes. */
   private last = new AbortController();
 
   constructor(
@@ -231,7 +231,7 @@ export class Intake {
   /** Takes a text that was pasted in. */
   readonly pasted = (text: string): Promise<boolean> => this.text(text);
 
-  /** What is being read is of no use any more. */
+  /** Aborts what is being read. */
   stop(): void {
     this.last.abort();
   }

@@ -3,18 +3,18 @@ import { keepLanguage, keptLanguage } from "../persistence.js";
 import type { Store } from "../store.js";
 import { type Lang, languageOf, wordsOf } from "../words.js";
 
-/** Where the frame stands. */
+/** Where the frame is. */
 interface Around {
   host: HTMLElement;
   /** Whether a choice is kept in this browser. */
   local: boolean;
 }
 
-/** In which language everything is shown: that of the page around, the one that was chosen here, or the browser's; each where it has words. */
+/** In which language everything is shown: that of the host page, the one that was chosen here, or the browser's; each where it has words. */
 export class Language implements ReactiveController {
   /** The language that was chosen here. */
   private chosen = keptLanguage();
-  /** Where the element has no language of its own, that of the page around may change. */
+  /** Where the element has no language of its own, that of the host page may change. */
   private readonly observer = new MutationObserver(() => this.follow());
 
   /** `failed`: the words of a language could not be had. */

@@ -83,7 +83,7 @@ class MeasuredPart extends Part {
     `;
   }
 
-  /** What could stand there: a point, or of the control's own cycles a variable with its value. */
+  /** What could be there: a point, or of native cycles a variable with its value. */
   private example(): string {
     const kept = this.store.plan.results.find(({ stored }) => stored !== null);
     return kept ? `${kept.stored} = ${kept.nominal ?? 0}` : "37.012, 0, -10";

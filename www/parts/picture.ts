@@ -38,7 +38,7 @@ class PicturePart extends DrawnPart {
   protected override lights = true;
   /** The form in the picture, by its revision and language; a hover draws it again but does not plan it again. */
   private drawn = "";
-  /** Whether the picture is of the form as it stands although that has an error: it shows where the run ends. */
+  /** Whether the picture shows the present form although it has an error: it shows where the run ends. */
   private live = false;
   private pointers = new Map<number, Spot>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
@@ -532,7 +532,7 @@ class PicturePart extends DrawnPart {
   /** The field of the dimension that is tapped. */
   private tapped: string | null = null;
 
-  /** To the field of a dimension: only now, since the browser moves the focus to the canvas by itself, after a touch as the last. */
+  /** To the field of a dimension: only now, since the browser moves the focus to the canvas, after a touch as the last. */
   private clicked(): void {
     const field = this.tapped;
     this.tapped = null;

@@ -13,7 +13,7 @@ import { w } from "../words.js";
 import { download } from "./download.js";
 import { Part } from "./part.js";
 
-/** What of a preset can be taken by itself, and the sections that it is. */
+/** The parts of a preset that can be taken alone, with their sections. */
 const PARTS: Record<string, [string, string[]]> = {
   stylus: [w("Stylus and overtravel"), ["stylus", "overtravel"]],
   feeds: [w("Feeds"), ["feeds"]],

@@ -30,7 +30,7 @@ interface Line {
 interface Block {
   /** The documented step; 0 is none. */
   step: number;
-  /** The cycle of the plan that it is of. */
+  /** Index of its cycle in the plan. */
   cycle: number;
   lines: Line[];
 }
@@ -57,16 +57,16 @@ const SEEN =
 /** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
 const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
 
-/** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. What the program asks before the move stands below it. */
+/** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. What the program asks before the move is below it. */
 const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
 
 /** A line that is a comment, or begins a Klartext program. */
 const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 
-/** How long it is said that a program was saved or copied, in milliseconds: the words stand where those of a search do. */
+/** How long it is said that a program was saved or copied, in milliseconds: the words are where those of a search do. */
 const TOLD = 8000;
 
-/** The block of a cycle that makes its moves by itself: not a protected move, the probe's switch, what lies between features, or 1493. */
+/** The block of a native cycle, which makes its moves: not a protected move, the probe's switch, what lies between features, or 1493. */
 const CALL =
   /^(?:G65 P|CALL O)(?!\d\d(?:10|3[2-5])\b)|^CYCLE\d+\(|^\d+ TCH PROBE (?!1493)/;
 
@@ -144,7 +144,7 @@ class ProgramPart extends Part {
     // Blocks that begin with their own numbers need no second ones.
     const own =
       lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
-    // Calls of the control's own cycles are no documented steps.
+    // Calls of native cycles are no documented steps.
     const stepsOf = (cycle: number) =>
       program.own ? [] : this.store.stepsOf(cycle);
     const numbers = touchNumbers(this.store);
@@ -230,7 +230,7 @@ class ProgramPart extends Part {
     `;
   }
 
-  /** What the operator reads at the end of the program, as it will stand there for the virtual part. */
+  /** What the operator reads at the end of the program, as it will be there for the virtual part. */
   private screen(): TemplateResult | typeof nothing {
     const lines = screenText(this.store);
     if (lines.length === 0) return nothing;
@@ -271,7 +271,7 @@ class ProgramPart extends Part {
   /** The runs of lines that were opened, by their first lines. */
   private readonly opened = new Set<number>();
 
-  /** How many lines stand before the first move, or before the first block of a program whose moves the control makes: they are folded. */
+  /** How many lines are before the first move, or before the first block of a program whose moves the control makes: they are folded. */
   private get head(): number {
     const { moveLines, text } = this.store.plan.program;
     const made = moveLines.find((line) => line >= 0);
@@ -285,7 +285,7 @@ class ProgramPart extends Part {
   private lined: Plan | null = null;
   private known: number[] = [];
 
-  /** The line of each move: where the control makes it by itself, that of the call. */
+  /** The line of each move: where a native cycle makes it, that of the call. */
   private get lines(): readonly number[] {
     const { plan } = this.store;
     if (this.lined === plan) return this.known;

@@ -1,4 +1,4 @@
-// What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
+// What is asked of an opened program, and what its run shows: the form, the safety rules, the native cycles.
 import { html, nothing, type TemplateResult } from "lit";
 import type {
   Job,
@@ -260,7 +260,7 @@ export class RunPanel {
         ${key === "at" ? html`<option value=${HAND} ?selected=${byHand}>${t("on a part put there by hand")}</option><option value=${FORM} ?selected=${onPart && !byHand}>${t("on the part in the form")}</option>` : nothing}</select></div>`;
   }
 
-  /** A number, also with a decimal comma; none where the field is empty. What is neither stays to be mended. */
+  /** A number, also with a decimal comma; none if the field is empty. What is neither stays to be mended. */
   private take(event: Event, take: (x: number | null) => void): void {
     const input = event.target as HTMLInputElement;
     const text = input.value.trim().replace(",", ".").replace("−", "-");

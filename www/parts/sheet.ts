@@ -181,7 +181,7 @@ class SheetPart extends Part {
     ];
   }
 
-  /** The code of a field, for whoever writes a postprocessor. */
+  /** The code of a field, for authors of postprocessors. */
   private code(code: string | null = null): TemplateResult | typeof nothing {
     return this.store.cam ? html`<td><code>${code ?? ""}</code></td>` : nothing;
   }

@@ -84,7 +84,7 @@ export class Shortcuts {
     return this.page.links ? document : this.app;
   }
 
-  /** Whether keys that are pressed here are the job's: what the page around has put into a slot is its own. */
+  /** Whether keys that are pressed here are the job's: what the host page has put into a slot is its own. */
   private owns(at: Element): boolean {
     return (
       this.app.contains(at) || (this.page.links && at.contains(this.page.host))

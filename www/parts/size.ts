@@ -1,4 +1,4 @@
-// How large the page is: its panels stand beside each other or behind tabs.
+// How large the page is: its panels are beside each other or behind tabs.
 import type { LitElement } from "lit";
 import { WIDE } from "./panels.js";
 

@@ -14,7 +14,7 @@ import { w } from "../words.js";
 import { copied, copy, download, withheld } from "./download.js";
 import { Part } from "./part.js";
 
-/** Rows that have no code of a table: those of a control's own cycle. */
+/** Rows that have no code of a table: those of a native cycle. */
 const OTHERS = w("Cycle");
 
 /** Where a row belongs, by its code. */
@@ -97,7 +97,7 @@ class TablePart extends Part {
     const { highlight, plan } = this.store;
     const touched =
       highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
-    // A row is of the first touch of its point.
+    // A row names the first touch of its point.
     const one = touched === null ? undefined : plan.touches[touched];
     const same = (other: TouchPoint) =>
       other.cycle === one?.cycle &&

@@ -46,7 +46,7 @@ interface Around {
 /** Which of them is shown, and which are loaded. */
 export class Tools {
   now: Tool = "cycles";
-  /** What has been loaded: what stands in the page before its class is known would lose what it was given. */
+  /** What has been loaded: what is in the page before its class is known would lose what it was given. */
   readonly there = new Set<string>();
 
   constructor(

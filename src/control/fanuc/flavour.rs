@@ -12,7 +12,7 @@ pub(super) struct Flavour {
     pub free: &'static str,
     /// What follows a touch in its block.
     pub touch: &'static str,
-    /// A block that keeps the control from evaluating what stands after it until the motion before it is done.
+    /// A block that keeps the control from evaluating what is after it until the motion before it is done.
     pub halt: &'static str,
     /// The block that lets it read ahead again, at the end.
     pub free_again: Option<&'static str>,
@@ -24,7 +24,7 @@ pub(super) struct Flavour {
     pub states: &'static [(&'static str, &'static str)],
     /// The variable of the origin of the first work offset beyond G59, along X.
     pub more_origins: usize,
-    /// What the block that turns the spindle has after M19, before the angle; none where M19 turns to the one angle that is set in the control.
+    /// What the block that turns the spindle has after M19, before the angle; `None` if M19 turns to the one angle that is set in the control.
     pub angle: Option<&'static str>,
 }
 

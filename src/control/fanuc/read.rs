@@ -27,7 +27,7 @@ const LIKE_FANUC: Grammar = Grammar {
     takes,
 };
 
-/// System variables. The length of the active tool stands in the table at its number, #4111.
+/// System variables. The length of the active tool is in the table at its number, #4111.
 fn system(name: &[u8]) -> Option<System> {
     match name {
         b"#[2000+#4111]" => return Some(System::Length),
@@ -119,7 +119,7 @@ impl<'t> Blocks<'t> for Program<'_> {
         }
         if program_number(code.as_bytes()).is_some() {
             targets.depends = true;
-            // Its own number stands above its blocks.
+            // Its own number is above its blocks.
             if self.numbered || !script.blocks.is_empty() {
                 return fault(text!("another program begins here"));
             }
@@ -246,7 +246,7 @@ fn printing(script: &mut Script<'_>, line: usize, printed: &str) -> Parsed<()> {
     Ok(())
 }
 
-/// What stands after the name of a variable: its value, or an alarm.
+/// What is after the name of a variable: its value, or an alarm.
 fn assignment<'t>(
     name: &'t [u8],
     cursor: &mut Cursor<'t>,

@@ -336,7 +336,7 @@ impl Moves for Skip<'_> {
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
         w.line("#149=1");
-        // Whether #5043 has the length in it is not known yet: the stylus must stand high enough either way, the first for a length above
+        // Whether #5043 has the length in it is not known yet: the stylus must be high enough either way, the first for a length above
         // zero, the second for one below, as tables with machine heights have. Sums of lengths and heights are rounded, and a control reads
         // its axes in its own steps.
         let height = Self::number(w, first.to.z - IN_POSITION);
@@ -648,7 +648,7 @@ impl Skip<'_> {
         }
     }
 
-    /// What stands after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
+    /// What is after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
     fn exits(&self, w: &mut Writer<'_>, first: &Move) {
         let top = self.request.highest().z;
         let height = Self::number(w, top);

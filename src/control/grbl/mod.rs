@@ -70,13 +70,13 @@ const LATER: PostDef = PostDef {
         (
             rules::PLAUSIBLE,
             words!(
-                "the program is that of grbl and uses no variables: whoever reads the results must judge them"
+                "the program is that of grbl and uses no variables: the operator must judge the results"
             ),
         ),
         (
             rules::TOLERANCE,
             words!(
-                "the program is that of grbl and uses no variables: whoever reads the results must judge them"
+                "the program is that of grbl and uses no variables: the operator must judge the results"
             ),
         ),
         (rules::RESTART, WRITTEN_BY_THE_SENDER),
@@ -130,11 +130,11 @@ const KIN: PostDef = PostDef {
         ),
         (
             rules::PLAUSIBLE,
-            words!("{control} has no variables: whoever reads the results must judge them"),
+            words!("{control} has no variables: the operator must judge the results"),
         ),
         (
             rules::TOLERANCE,
-            words!("{control} has no variables: whoever reads the results must judge them"),
+            words!("{control} has no variables: the operator must judge the results"),
         ),
         (
             rules::RESTART,
@@ -298,7 +298,7 @@ impl Moves for Grbl<'_> {
     }
 }
 
-/// To the first place: in the plane at the height where the stylus stands, then down. grbl cannot ask where that is.
+/// To the first place: in the plane at the height where the stylus is, then down. grbl cannot ask where that is.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     let stated = request.feeds.rate(step.feed);
     let feed = |w: &Writer<'_>, rate: Option<f64>| match rate {

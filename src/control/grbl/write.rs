@@ -11,8 +11,8 @@ use crate::num::decimal;
 /// Decimals of a place: grbl itself reports three in mm and four in inch.
 const DECIMALS: usize = 4;
 
-/// The block. Where the program has ended the ball stands at the end of the path: that place is to read what it would if the measured point were at
-/// its nominal place. None where the datum was not measured, or not all of it.
+/// The block. Where the program has ended the ball is at the end of the path: that place is to read what it would if the measured point were at
+/// its nominal place. `None` if the datum was not measured, or not all of it.
 pub fn typed(request: &Request<'_>, measured: [Option<f64>; 3], offset: u8) -> Option<String> {
     let datum = request.path.formula.datum.as_ref()?;
     let end = request.path.moves.last()?.to;

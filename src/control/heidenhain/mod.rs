@@ -1,4 +1,4 @@
-//! HEIDENHAIN: Klartext programs with the control's own cycles, 1411 and 1493 of a TNC7, 408 to 427 of any TNC.
+//! HEIDENHAIN: Klartext programs with native cycles, 1411 and 1493 of a TNC7, 408 to 427 of any TNC.
 //!
 //! The block head, the order of parameters and their comments are those of the manual's example, letter by letter
 //! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a

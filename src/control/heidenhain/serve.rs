@@ -406,7 +406,7 @@ impl Plan<'_> {
         let half = sizes[0] / 2.0;
         let off = match (pairs.internal, writes) {
             (true, true) => (half - self.aside(set_up)).max(0.0),
-            // From where it stands to both sides.
+            // From where it is to both sides.
             (true, false) => 0.0,
             (false, _) => half + self.aside(set_up),
         };
@@ -576,7 +576,7 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
                 blocks::write(&mut w, request, *number, parameters)
             }
             OwnBlock::Keep(variable, output) => w.line(&format!("FN 0: Q{variable} = +Q{output}")),
-            // The next cycle goes there by itself.
+            // The next cycle moves there.
             OwnBlock::Goes(..) | OwnBlock::Call(..) => {}
         }
     }

@@ -96,7 +96,7 @@ pub enum Effect {
     Home,
     /// Goes and comes back: a rigid tap.
     ThereAndBack,
-    /// Calls a macro, whose arguments all letters but G are (true), or a cycle of the control's own: where it ends is not known.
+    /// Calls a macro, whose arguments all letters but G are (true), or a native cycle: where it ends is not known.
     Macro { takes_feed: bool },
     /// Calls a subprogram: 97, 98 or 198.
     Call(u8),
@@ -112,13 +112,13 @@ pub enum Effect {
     Ahead,
     /// Sets or stores something, and nothing moves; axis words are its own.
     Sets,
-    /// States the feed of probing moves by itself.
+    /// Contains the feed of probing moves.
     ProbeFeed,
     /// Nothing that changes where a motion goes.
     Nothing,
 }
 
-/// What a code of this family does, by ten times its number; none where that is not known.
+/// What a code of this family does, by ten times its number; `None` if that is not known.
 pub fn effect(family: Family, letter: u8, tenths: i32) -> Option<Effect> {
     match (letter, family) {
         (b'M', _) => auxiliary(family, tenths),

@@ -55,7 +55,7 @@ pub fn without<T>(work: impl FnOnce() -> T) -> T {
 /// A part of a line: where it begins, and its length.
 type Part = (u8, u8);
 
-/// What a line says. Its values are counted from its own first one, its blocks from its own first one, and variables stand in the order of its names.
+/// What a line says. Its values are counted from its own first one, its blocks from its own first one, and variables are in the order of its names.
 #[derive(Clone, Debug)]
 struct Line {
     text: Box<str>,
@@ -104,7 +104,7 @@ impl Before {
 }
 
 impl Memory {
-    /// The memory of this thread, taken until it is given back. None where every line is to be read anew.
+    /// The memory of this thread, taken until it is given back. `None` if every line is to be read anew.
     pub fn take() -> Option<Box<Self>> {
         if OFF.get() {
             return None;
@@ -313,7 +313,7 @@ fn pair(hash: u32) -> usize {
     hash as usize % (LINES / 2) * 2
 }
 
-/// Where a part stands in its line.
+/// Where a part is in its line.
 fn part_of(text: &str, part: &[u8]) -> Option<Part> {
     if part.is_empty() {
         return Some((0, 0));
@@ -324,7 +324,7 @@ fn part_of(text: &str, part: &[u8]) -> Option<Part> {
     (text.as_bytes().get(at..at + part.len())? == part).then_some((at as u8, part.len() as u8))
 }
 
-/// A value whose own values stand by so many later, of other variables.
+/// A value whose operands are so many places later, with other variables.
 #[inline]
 fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
     match *node {

@@ -19,7 +19,7 @@ pub struct Grammar {
     /// Whether places and feeds must have a decimal point: without one they count in the smallest step of the control.
     pub points: bool,
     pub names: Names,
-    /// What stands between two values beside + - * /: the word, how tightly it binds (0 least), and what it does.
+    /// What is between two values beside + - * /: the word, how tightly it binds (0 least), and what it does.
     pub operators: &'static [(&'static str, u8, Binary)],
     /// What the control knows under a name, where it is no variable of the program.
     pub system: fn(&[u8]) -> Option<System>,
@@ -139,7 +139,7 @@ impl<'t> Cursor<'t> {
         self.from(self.at())
     }
 
-    /// What stands from a place on, in part, for a message.
+    /// What is from a place on, in part, for a message.
     pub(super) fn from(&self, at: usize) -> String {
         printable(
             &String::from_utf8_lossy(&self.text[at..])
@@ -322,7 +322,7 @@ impl<'t> Cursor<'t> {
             } else {
                 self.bound(binds + 1, grammar, script)?
             };
-            // What AND and OR bind tighter than must stand in brackets to be a condition: of numbers they make other numbers.
+            // What AND and OR bind tighter than must be in brackets to be a condition: of numbers they make other numbers.
             let joins = binds > COMPARES && matches!(binary, Binary::And | Binary::Or);
             if joins && !(script.is_condition(left) && script.is_condition(right)) {
                 return fault(text!("AND and OR join conditions in brackets"));

@@ -66,7 +66,7 @@ const TO_THE_END: usize = usize::MAX;
 struct Reads {
     /// Of each assignment, the assignment that reads it last; itself where nothing does.
     variables: Vec<usize>,
-    /// Of each coordinate of each sample, the assignment that reads it last; none where nothing does.
+    /// Of each coordinate of each sample, the assignment that reads it last; `None` if nothing does.
     triggers: Vec<[Option<usize>; 3]>,
 }
 
@@ -227,7 +227,7 @@ impl Registers {
             .map_or(0, |(_, register)| *register)
     }
 
-    /// What stands where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
+    /// What is where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
     /// the control calls one.
     pub fn lines(
         &self,

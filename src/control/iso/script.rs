@@ -12,13 +12,13 @@ use crate::text::Text;
 /// What controls take as a blank.
 pub const BLANKS: [char; 2] = [' ', '\t'];
 
-/// A line that is not understood, or does not work where it stands.
+/// A line that is not understood, or does not work where it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trouble {
     /// 0-based.
     pub line: usize,
     pub message: Text,
-    /// Whether the line itself is understood, and does not work where it stands.
+    /// Whether the line itself is understood, and does not work where it is.
     pub understood: bool,
 }
 
@@ -27,7 +27,7 @@ pub struct Trouble {
 pub struct NodeId(NonZeroU32);
 
 impl NodeId {
-    /// The value that stands by so many later in the list; past its end it wraps around.
+    /// The value that is by so many later in the list; past its end it wraps around.
     pub fn shifted(self, by: u32) -> Self {
         NodeId(NonZeroU32::new(self.0.get().wrapping_add(by)).unwrap_or(NonZeroU32::MAX))
     }
@@ -151,7 +151,7 @@ pub enum BlockKind {
     Alarm,
     /// An alarm that shows, and lets the next blocks run until the end.
     Warned,
-    /// A cycle of the control's own.
+    /// A native cycle.
     Native,
     End,
 }
@@ -272,7 +272,7 @@ pub struct Script<'t> {
     names: HashMap<Cow<'t, [u8]>, Slot, FxBuildHasher>,
     /// The variables beyond [`USUAL_NAMES`].
     more_names: BTreeMap<Cow<'t, [u8]>, Slot>,
-    /// The variables that the line asked for which is being read, by the names that stand there.
+    /// The variables that the line asked for which is being read, by the names that are there.
     pub asked: Vec<(Slot, &'t [u8])>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
@@ -282,7 +282,7 @@ pub struct Script<'t> {
     pub sees_edges: bool,
     /// Whether a probing move that begins in contact is an alarm, also one that needs no contact.
     pub begins_free: bool,
-    /// What a variable without a value counts as, where the control keeps its variables from one run to the next; none where using one is an error.
+    /// What a variable without a value counts as, where the control keeps its variables from one run to the next; `None` if using one is an error.
     pub vacant: Option<f64>,
     /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.
     pub full_circle: bool,
@@ -413,7 +413,7 @@ impl<'t> Script<'t> {
             .splice(at..at, blocks.into_iter().map(|kind| Block { line, kind }));
     }
 
-    /// The results go out where they stand at the end.
+    /// The results go out where they are at the end.
     pub fn give_results(&mut self) {
         let end = self
             .blocks

@@ -24,13 +24,13 @@ pub struct Dialect {
     pub capitals: bool,
     /// Whether blocks are numbered, from 0.
     pub numbered: bool,
-    /// The words for mm and inch; none where a program cannot state them.
+    /// The words for mm and inch; none if a program cannot state them.
     pub units: (&'static str, &'static str),
     /// Exact stop, and everything modal that must not leak in, but for plane and units.
     pub modes: &'static str,
     /// Whether a program that is read back must state exact stop by G61.
     pub exact_stop: bool,
-    /// What stands before and behind a place that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
+    /// What is before and behind a place that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
     pub shifted: (&'static str, &'static str),
     /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
     pub arcs: &'static str,
@@ -64,7 +64,7 @@ pub struct Writer<'a> {
     lines: usize,
     blocks: usize,
     move_lines: Vec<Option<usize>>,
-    /// Of each axis, the number of where the ball stands, as a block has named it last or the job states it.
+    /// Of each axis, the number of where the ball is, as a block has named it last or the job states it.
     last: [Digits; 3],
     /// The coordinates that these are the numbers of, mm: a number is not made twice.
     last_mm: Vec3,
@@ -258,7 +258,7 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
-        // Cycles of the control's own say it themselves.
+        // Native cycles say it themselves.
         if request.path.own.is_some() {
             return;
         }
@@ -368,7 +368,7 @@ impl<'a> Writer<'a> {
         self.straight(word, step.to - touch.vector * touch.search, all, Some(rate));
     }
 
-    /// A positioning move along an arc from where the ball stands, with an incremental centre.
+    /// A positioning move along an arc from where the ball is, with an incremental centre.
     pub fn arc(&mut self, from: Vec3, step: &Move, arc: &Arc, rate: Option<f64>) {
         let word = if arc.sweep > 0.0 { "G3" } else { "G2" };
         let words = self.goes_to(step.to, false);
@@ -414,12 +414,12 @@ impl<'a> Writer<'a> {
         self.move_lines.push(Some(self.lines));
     }
 
-    /// The control makes the next move by itself.
+    /// The control makes the next move without a block.
     pub fn leaves_move(&mut self) {
         self.move_lines.push(None);
     }
 
-    /// The ball stands at a place that a block named by other means than axis words.
+    /// The ball is at a place that a block named by other means than axis words.
     pub fn stands_at(&mut self, place: Vec3) {
         self.keep(place, self.numbers(place), [true; 3]);
     }
@@ -462,12 +462,12 @@ impl<'a> Writer<'a> {
         block
     }
 
-    /// Where the ball stands is the control's own: the next block names every axis.
+    /// The position of the ball is known to the control alone: the next block names every axis.
     pub fn forgets_place(&mut self) {
         (self.last, self.last_mm) = ([const { Digits::NONE }; 3], Vec3::NAN);
     }
 
-    /// What a block has named stands until the next one.
+    /// What a block has named is until the next one.
     fn keep(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) {
         for (i, number) in numbers.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
             self.last[i] = number;
@@ -552,7 +552,7 @@ impl<'a> Writer<'a> {
 /// The words of the incremental centre of an arc.
 const CENTER: [&str; 3] = [" I", " J", " K"];
 
-/// What is added to the numbers of a block along each axis, and what stands before and behind such a sum.
+/// What is added to the numbers of a block along each axis, and what is before and behind such a sum.
 struct ShiftWords<'a> {
     of: &'a [String; 3],
     before: &'static str,
@@ -629,7 +629,7 @@ fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     line(rest);
 }
 
-/// Where the job says that the stylus stands, and the first move, where that goes across at the stated height.
+/// Where the job says that the stylus is, and the first move, where that goes across at the stated height.
 pub fn across_from_stated<'p>(request: &Request<'p>) -> Option<(Vec3, &'p Move)> {
     let (start, first) = (request.path.start?, request.path.moves.first()?);
     (upwards(request, Some(start), first.to) == 0).then_some((start, first))
@@ -672,7 +672,7 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     )
 }
 
-/// Over how many degrees chords of an arc are long enough to be watched; none where such chords would leave the circle by too much.
+/// Over how many degrees chords of an arc are long enough to be watched; `None` if such chords would leave the circle by too much.
 fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
     let shortest = request.shortest_watched();
     let least = 2.0 * crate::num::within(shortest / (2.0 * radius), 0.0, 1.0).asin();

@@ -227,7 +227,7 @@ impl Moves for LinuxCnc<'_> {
     }
 
     fn results(&mut self, w: &mut Writer<'_>, formula: &Formula) {
-        // MSG shows a text as it stands, and PRINT goes to the terminal: DEBUG shows values on the operator's screen.
+        // MSG shows a text as it is, and PRINT goes to the terminal: DEBUG shows values on the operator's screen.
         let word = match self.request.report {
             Report::Screen => "(DEBUG,",
             Report::Log => "(LOG,",
@@ -523,7 +523,7 @@ fn unwatched(w: &Writer<'_>, request: &Request<'_>, first: &Move) -> (&'static s
     }
 }
 
-/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
+/// Approach to the first position from any position of the stylus: up to its height if the stylus is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut Labels) {
     let tool = request.plane.axes()[2];
     rise(w, request, [step.to; 2], step, labels);

@@ -185,7 +185,7 @@ pub enum Is {
 }
 
 impl Is {
-    /// The value of a word, with its unit; none where the call does not have it.
+    /// The value of a word, with its unit; `None` if the call does not have it.
     pub fn value(self, of: &Probed, asked: &Asked) -> Option<Quantity> {
         let Limits { size, position, .. } = asked.limits;
         let one = Quantity::Plain(1.0);
@@ -239,7 +239,7 @@ impl Is {
         })
     }
 
-    /// Takes the value of a word into what is probed; none where that is no value of it.
+    /// Takes the value of a word into what is probed; `None` if that is no value of it.
     fn take(self, value: f64, of: &mut Probed) -> Option<()> {
         match self {
             Is::Center(axis) | Is::Stated(axis) => of.center[axis] = value,
@@ -305,11 +305,11 @@ pub type Words = &'static [(u16, Is)];
 #[derive(Debug)]
 pub struct Row {
     pub number: u16,
-    /// What stands behind the number in its block.
+    /// What is behind the number in its block.
     pub head: &'static str,
     pub shape: Shape,
     pub inside: bool,
-    /// Whether it writes what it measures; none where one of its words decides that.
+    /// Whether it writes what it measures; `None` if one of its words decides that.
     pub writes: Option<bool>,
     /// Its words; calls share groups of them.
     pub words: &'static [Words],

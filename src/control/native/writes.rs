@@ -8,7 +8,7 @@ use super::{Call, heidenhain};
 pub struct Written {
     /// `offset` or `wear`.
     pub kind: &'static str,
-    /// The work offset, 1 = G54, 0 the active one; none where it is not known which.
+    /// The work offset, 1 = G54, 0 the active one; `None` if it is not known which.
     pub number: Option<i32>,
     /// What is written, where it is no numbered work offset.
     pub register: String,

@@ -130,7 +130,7 @@ impl<'w> Machine<'w> {
         there
     }
 
-    /// A watched move as fast as the control goes; none where it is there already.
+    /// A watched move as fast as the control goes; none if it is there already.
     pub fn goes(&mut self, to: Vec3) -> Result<(), Alarm> {
         if self.is_at(to) {
             Ok(())

@@ -1,4 +1,4 @@
-//! What a control's own cycles made, as a path.
+//! What native cycles made, as a path.
 
 use super::machine::{Alarm, Kind, Machine, Made};
 use super::{Meets, Outcome, OwnRequest};
@@ -14,8 +14,8 @@ pub fn is_along(direction: Vec3, axis: usize) -> bool {
     (0..3).all(|other| other == axis || direction[other].abs() < NEAR)
 }
 
-/// Moves and touches of what was made. Touches stand in the order of the documented ones, which the formula counts by; or in their own order.
-/// `feeds` has of each the program's feed, where it is the program's own move, and the step; `search` is the rate of the first of two touches. None where
+/// Moves and touches of what was made. Touches are in the order of the documented ones, which the formula counts by; or in their own order.
+/// `feeds` has of each the program's feed, where it is the program's own move, and the step; `search` is the rate of the first of two touches. `None` if
 /// others than the documented surfaces are touched.
 pub fn moves_of(
     path: &Path,
@@ -108,7 +108,7 @@ pub fn begins(path: &Path) -> Option<Vec3> {
     path.searches().next().and_then(|(_, from, _)| from)
 }
 
-/// Where a documented cycle stands before it goes anywhere else: the end of its first steps.
+/// Where a documented cycle is before it goes anywhere else: the end of its first steps.
 pub fn start(path: &Path) -> Option<Vec3> {
     path.moves
         .iter()

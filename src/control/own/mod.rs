@@ -30,7 +30,7 @@ pub struct OwnRequest<'a> {
     pub report: Report,
     /// What the probe table adds to each clearance, mm.
     pub set_up: f64,
-    /// The height between the cycles of a set-up, if the control's own cycles make the ways between them; else `None`.
+    /// The height between the cycles of a set-up, if native cycles make the ways between them; else `None`.
     pub clear: Option<f64>,
     /// The tools that are corrected, by the codes of the results.
     pub wear: &'a [(String, Wear)],
@@ -47,7 +47,7 @@ pub type Meets<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<Met>;
 /// What each move met, up to the alarm that ended them.
 pub type Outcome = (Vec<Made>, Option<Alarm>);
 
-/// How a control's own cycles are planned, run and named.
+/// How native cycles are planned, run and named.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnCycles {
     /// Plans the calls and their path on the nominal part.
@@ -64,7 +64,7 @@ pub struct OwnCycles {
     pub name: fn(Stored) -> String,
     /// Whether they can correct a tool offset from a measured size.
     pub corrects_tools: bool,
-    /// How several of them stand in one program.
+    /// How several of them are in one program.
     pub several: Several,
 }
 
@@ -73,7 +73,7 @@ pub struct OwnCycles {
 pub struct Several {
     /// The block of a way between two cycles: to a place, along these axes, for a ball of this radius, at a feed of this rate (mm/min).
     pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> OwnBlock,
-    /// Whether each cycle goes to the next one by itself, at its clearance height: the program then has no block for the way.
+    /// Whether each cycle moves to the next one at its clearance height: the program then has no block for that move.
     pub comes_itself: bool,
     /// The first and the last of the variables that keep what the next cycle empties.
     pub kept: (usize, usize),

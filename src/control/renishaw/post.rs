@@ -17,11 +17,11 @@ use crate::text::text;
 /// How a control's programs call the macros.
 #[derive(Debug)]
 pub(in crate::control) struct Calls {
-    /// What stands before the number of a macro.
+    /// What is before the number of a macro.
     pub call: &'static str,
     /// By how much its numbers are lower than those of the others.
     pub lower: u32,
-    /// What stands before a letter, and between it and its value.
+    /// What is before a letter, and between it and its value.
     pub letter: (&'static str, &'static str),
     /// Whether macros switch the probe: elsewhere the control does.
     pub switches: bool,
@@ -31,7 +31,7 @@ pub(in crate::control) struct Calls {
     pub end: &'static str,
     /// The code that makes the length of the probe count.
     pub length: &'static str,
-    /// What the block that turns the spindle has after M19, before the angle; none where M19 turns to the one angle that is set in the control.
+    /// What the block that turns the spindle has after M19, before the angle; `None` if M19 turns to the one angle that is set in the control.
     pub angle: Option<&'static str>,
     /// Whether a source says which numbers its alarms have.
     pub numbered_alarms: bool,
@@ -270,7 +270,7 @@ fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
     }
 }
 
-/// Where the stylus stands is not known: in the plane first, at whatever height, then down.
+/// The position of the stylus is not known: in the plane first, at the present height, then down.
 fn approach(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     if calls.switches {
         w.line(&call(calls, ON, &[]));

@@ -63,7 +63,7 @@ pub const SEVERAL: Several = Several {
     kept: (FIRST_KEPT, LAST_KEPT),
 };
 
-/// A protected move to a place along these axes. A height is of the stylus tip.
+/// A protected move to a position along these axes. Heights are those of the stylus tip.
 fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> OwnBlock {
     let place = [to.x, to.y, to.z - radius];
     let letters = (0..3)
@@ -125,7 +125,7 @@ impl<'a> Program<'a> {
         made::begins(self.request.path).unwrap_or(self.first)
     }
 
-    /// Where the documented cycle stands before it goes anywhere else: the end of its first steps.
+    /// Where the documented cycle is before it goes anywhere else: the end of its first steps.
     fn start(&self) -> Vec3 {
         made::start(self.request.path).unwrap_or(self.first)
     }

@@ -4,7 +4,7 @@
 //! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
 //! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. MEAS waits for
 //! the rising edge of the signal, and what it does with a probe that is deflected already is proven by nothing we have. So after a
-//! move that was not watched the program asks before the next MEAS block whether the probe is free. Results stand in
+//! move that was not watched the program asks before the next MEAS block whether the probe is free. Results are in
 //! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
 //! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
 //! agree. MEAS takes the positions of the axes that its block names (a converter's specification that cites the programming manual 03/2006,
@@ -469,7 +469,7 @@ fn report<'f>(
     }
 }
 
-/// What stands before the first move. Nothing has moved when one of the checks says no.
+/// What is before the first move. Nothing has moved when one of the checks says no.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
     w.header(&does::line(request, written));
     w.comment_approach();
@@ -641,7 +641,7 @@ fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first
     w.line("TP_ABOVE:");
 }
 
-/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
+/// Approach to the first position from any position of the stylus: up to its height if the stylus is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     rise(w, request, [step.to; 2], step);
     let across = w.goes_in_plane(step.to);
@@ -746,7 +746,7 @@ fn stop(w: &mut Writer<'_>) {
 /// The exits of watched moves and of touches.
 fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     let tool = request.plane.axes()[2];
-    // A cycle of the control's own may have written before the last lift.
+    // A native cycle may have written before the last lift.
     let written = match (request.form, request.work_offset) {
         (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
         _ => "Nothing is written",

@@ -81,7 +81,7 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// A program as far as it was read: of each variable whether it is the program's own.
+/// State of reading a program: for each variable, whether the program declares it.
 #[derive(Default)]
 struct Program {
     declared: Vec<bool>,
@@ -119,7 +119,7 @@ impl<'t> Blocks<'t> for Program {
             targets.depends = true;
             self.second_input.get_or_insert(line);
         }
-        // What stands before a program in an archive.
+        // What is before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
         }
@@ -260,7 +260,7 @@ fn block<'t>(
     Ok(())
 }
 
-/// Whether a block begins with a G code: what stands there with an equals sign is the place of an axis.
+/// Whether a block begins with a G code: what is there with an equals sign is the place of an axis.
 fn begins_with_code(code: &str) -> bool {
     code.strip_prefix('G')
         .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
@@ -309,7 +309,7 @@ fn assignment<'t>(
     }
 }
 
-/// `MSG(…)`, `SETAL(65000)`, `CYCLE977(…)` and `CYCLE978(…)` with all their arguments. Nothing stands behind its bracket.
+/// `MSG(…)`, `SETAL(65000)`, `CYCLE977(…)` and `CYCLE978(…)` with all their arguments. Nothing is behind its bracket.
 fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str) -> Parsed<()> {
     let mut cursor = Cursor::new(arguments);
     let what = match name {

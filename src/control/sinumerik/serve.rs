@@ -137,7 +137,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Where the documented cycle begins its first touch, and where it stands before.
+    /// Where the documented cycle begins its first touch, and where it is before.
     fn begins(&self) -> Vec3 {
         made::begins(self.request.path).unwrap_or(self.first)
     }
@@ -277,7 +277,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// CYCLE978 from where the stylus stands. `codes` are those of the coordinates of the contact.
+    /// CYCLE978 from where the stylus is. `codes` are those of the coordinates of the contact.
     fn touches_surface(
         &mut self,
         touch: &Touch,

@@ -127,7 +127,7 @@ struct Ency {
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
     custom: Vec<Custom>,
-    /// What the actual part's sizes make; none where they are nominal.
+    /// What the actual part's sizes make; `None` if they are nominal.
     actual: Option<Shape>,
 }
 
@@ -158,7 +158,7 @@ pub fn read(
 }
 
 /// Where picked touches put a cycle, and the touches that its dimensions give there: those with a code of the source as they are, the others
-/// as the picks have them. None where the picks do not make one.
+/// as the picks have them. `None` if the picks do not make one.
 pub fn place(
     section: &mut Section<'_, '_>,
     dimensions: fn(&mut Section<'_, '_>) -> Dimensions,

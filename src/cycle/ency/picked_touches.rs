@@ -36,7 +36,7 @@ pub const POINT: Field = Field::point("point", "Touch point");
 /// The most that a number of a target vector may be: its length decides whether it is a unit vector.
 pub const LONGEST_VECTOR: i32 = 2;
 
-/// Reads `touches`; none where the job has none. Every problem is reported.
+/// Reads `touches`; `None` if the job has none. Every problem is reported.
 pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
     let place = section.at("touches");
     let items = match section.get("touches")? {

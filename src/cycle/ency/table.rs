@@ -26,7 +26,7 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 }
 
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
-/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands after its touches.
+/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance is after its touches.
 pub(super) fn table(
     (def, kind_name): (&CycleDef, &'static str),
     values: &[(&'static Field, Shown)],
@@ -110,7 +110,7 @@ pub fn code_of(field: &Field) -> Option<(Accessor, i32)> {
     Some((accessor, rest.strip_suffix(']')?.parse().ok()?))
 }
 
-/// A field as a row; none where it has no code, or is not set.
+/// A field as a row; `None` if it has no code, or is not set.
 fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> {
     let (accessor, code) = code_of(field)?;
     let (value, type_name) = match value {

@@ -88,7 +88,7 @@ pub(super) struct Block {
     pub curve: bool,
     /// It names one of the motions that stay: G0 to G3, G38.n.
     pub motion: bool,
-    /// Its axis words are no place to go to: G10, G92, a cycle of the control's own.
+    /// Its axis words are no place to go to: G10, G92, a native cycle.
     pub elsewhere: bool,
     /// It waits. Its axis words are its time, unless it names a motion or its time by P, too.
     pub dwells: bool,
@@ -138,7 +138,7 @@ pub(super) struct Block {
     pub jumps: bool,
     /// It names a code that makes no place of its axis words.
     pub foreign: Foreign,
-    /// An M code stands first in it, and its axis words may be that code's: unless it names a motion.
+    /// An M code is first in it, and its axis words may be that code's: unless it names a motion.
     pub led: Foreign,
     /// Where the name of that code begins and ends in its line.
     pub name: [usize; 2],
@@ -236,7 +236,7 @@ impl Block {
 pub(super) struct Named {
     pub name: String,
     pub foreign: Foreign,
-    /// What it measures, where it is one of the control's own cycles.
+    /// What it measures, where it is a native cycle.
     pub title: Option<&'static str>,
     pub count: Count,
 }

@@ -1,4 +1,4 @@
-//! Subprograms that stand in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
+//! Subprograms that are in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
 
 use crate::control::iso::lex::{head, line_end, program_number};
 use crate::import::toolpath::block::{Block, Call};
@@ -8,7 +8,7 @@ use crate::import::toolpath::skipped::Skip;
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
 
-/// So many lines of subprograms are read in all: whoever repeats more has an end.
+/// Bound on the lines of subprograms that are read in all.
 const MOST_LINES: usize = 500_000;
 
 /// So many numbers are looked for: each costs a look through the text.
@@ -98,7 +98,7 @@ impl<'t> Calls<'t> {
             }
             return self.leave(next);
         }
-        // The end of the program, or another program: whoever called does not continue, or nobody knows how.
+        // The end of the program, or another program: the caller does not continue, or it is not known how.
         if reader.ended || self.lines > MOST_LINES {
             let back = self.stack[0].back;
             while self.stack.pop().is_some() {
@@ -165,7 +165,7 @@ impl<'t> Calls<'t> {
         back
     }
 
-    /// Where the lines begin; none where the number is not there once. Each is looked for once, and not very many are.
+    /// Where the lines begin; `None` if the number is not there once. Each is looked for once, and not very many are.
     fn find(&mut self, call: Call) -> Option<Place> {
         let known = self
             .places
@@ -230,7 +230,7 @@ impl Reader {
     }
 }
 
-/// Where the lines of a subprogram begin; none where its number is not there once.
+/// Where the lines of a subprogram begin; `None` if its number is not there once.
 fn place_of(text: &[u8], call: Call) -> Option<Place> {
     let mut found = None;
     let (mut at, mut line) = (0, 0);

@@ -4,7 +4,7 @@
 #[derive(Clone, Default)]
 pub(super) struct Count {
     pub times: usize,
-    /// Its lines; one that repeats at once stands there once.
+    /// Its lines; one that repeats at once is there once.
     pub lines: Vec<u32>,
 }
 

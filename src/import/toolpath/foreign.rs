@@ -76,7 +76,7 @@ impl Reader {
         true
     }
 
-    /// One of the control's own cycles is called: it is listed, and named.
+    /// A native cycle is called: it is listed, and named.
     pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
         let call = self.listed(name, arguments, place);
         let named = call.map_or(name, |call| call.name);
@@ -87,7 +87,7 @@ impl Reader {
         );
     }
 
-    /// One of the control's own cycles whose moves were made: it is listed.
+    /// A native cycle whose moves were made: it is listed.
     pub(super) fn listed(
         &mut self,
         name: &str,

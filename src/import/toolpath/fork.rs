@@ -5,7 +5,7 @@ use crate::import::toolpath::block::{Fork, State};
 use crate::import::toolpath::modes::{Modes, Unsure};
 use crate::import::toolpath::reader::Reader;
 
-/// So many ways may be open: whoever jumps over more ends has an end.
+/// Bound on the branches that are open at one time.
 const MOST_FORKS: usize = 200;
 
 /// What two ways agree on; NaN is not known.

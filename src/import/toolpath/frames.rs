@@ -1,4 +1,4 @@
-//! The origin of the work coordinate system, as far as a program states it.
+//! Origin of the work coordinate system, from what a program states.
 //!
 //! Positions are those of the active system. The system in which the first move is made is the one that is drawn: position p of the active system lies at
 //! `origin + R·T(p)` in it. R is the rotation of the work offset (`G10 L2 R`), taken to be 0 until the program sets one [I]; T is a rotation about a centre
@@ -81,7 +81,7 @@ impl Default for Frames {
     }
 }
 
-/// A position about 0, turned. Without an angle each axis is known or not by itself.
+/// A position about 0, turned. Without an angle each axis is known or unknown independently.
 pub(super) fn turn(angle: f64, p: Position) -> Position {
     if angle == 0.0 {
         return p;

@@ -6,7 +6,7 @@ use crate::control::iso::lex::{
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
 
-/// What stands in programs of a SINUMERIK alone.
+/// What is in programs of a SINUMERIK alone.
 const ALONE: [&str; 12] = [
     "MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(",
     "=DC(",
@@ -18,7 +18,7 @@ const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
 /// Words of its structures: elsewhere they are O words.
 const ENDS: [&[u8]; 4] = [b"ENDIF", b"ENDWHILE", b"ENDFOR", b"ENDLOOP"];
 
-/// Axes that are assigned, and codes of units that they stand beside on a SINUMERIK: G70, G710 …
+/// Axes that are assigned, and codes of units that they are beside on a SINUMERIK: G70, G710 …
 const AXES: [&str; 3] = ["X=", "Y=", "Z="];
 const UNITS: [&str; 2] = ["G70", "G71"];
 
@@ -63,7 +63,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
         {
             continue;
         }
-        // A variable by its number is of no SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
+        // A variable with a number belongs to no SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
         if line.contains(&b'#') {
             continue;
         }
@@ -103,7 +103,7 @@ fn words(text: &str) -> impl Iterator<Item = String> {
     })
 }
 
-/// Whether a program is of an LNC: by words that no other control has.
+/// Whether a program is for an LNC: by words that no other control has.
 pub(super) fn is_lnc(text: &str) -> bool {
     let is_own =
         |word: String| word == "END_IF" || word.starts_with("W_G5") || word == "FIX_CUT_OR_ON";
@@ -115,20 +115,20 @@ pub(super) fn is_lnc(text: &str) -> bool {
     lines_of(text).take(MOST_LINES).any(in_code) || words(text).any(is_own)
 }
 
-/// Whether a program is of an Eding CNC: subroutines by name, whose variables have numbers.
+/// Whether a program is for an Eding CNC: subroutines by name, whose variables have numbers.
 pub(super) fn is_eding(text: &str) -> bool {
     const WORDS: [&str; 4] = ["GOSUB", "ENDSUB", "DLGMSG", "ERRMSG"];
     text.contains('#') && words(text).any(|word| WORDS.contains(&word.as_str()))
 }
 
-/// Whether a program is of PlanetCNC: by what its measuring macros return, and by its own commands.
+/// Whether a program is for PlanetCNC: by what its measuring macros return, and by its own commands.
 pub(super) fn is_planetcnc(text: &str) -> bool {
     ["#<_measure", "$<cmd_", "#<_coordsys_", "(dlg,"]
         .iter()
         .any(|word| text.contains(word))
 }
 
-/// Whether a program is of a Centroid: by its own codes, or by macros with a letter for the axis.
+/// Whether a program is for a Centroid: by its own codes, or by macros with a letter for the axis.
 pub(super) fn is_centroid(text: &str) -> bool {
     lines_of(text).take(MOST_LINES).any(|line| {
         let code = &line[..comment_at(line.as_bytes(), true).unwrap_or(line.len())];

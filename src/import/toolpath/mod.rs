@@ -90,7 +90,7 @@ pub struct Toolpath {
     pub dialect: &'static str,
     /// The control that it was read for, by its key: the one that was told, or the one that its words show.
     pub post: Option<&'static str>,
-    /// Whether its units are millimetres; none where it does not say.
+    /// Whether its units are millimetres; `None` if it does not say.
     pub metric: Option<bool>,
     /// Where each move ends, three numbers a move. NaN along an axis whose place is not known.
     pub to: Vec<f64>,
@@ -119,7 +119,7 @@ pub struct Toolpath {
     pub finding_lines: Vec<Vec<u32>>,
     /// What the program reads before anything sets it.
     pub asks: Vec<Ask>,
-    /// Calls of the control's own cycles, in the order in which they run.
+    /// Calls of native cycles, in the order in which they run.
     pub calls: Vec<NativeCall>,
     /// What the safety rules say of a run that probes.
     pub rules: Vec<RunRule>,
@@ -129,7 +129,7 @@ pub struct Toolpath {
     pub(crate) start: [f64; 3],
     /// Whether it probes by G38.2 and its kin.
     pub(crate) by_g38: bool,
-    /// Whether it is of a Centroid, whose macros have numbers of Renishaw's.
+    /// Whether it is for a Centroid, whose macros have numbers of Renishaw's.
     pub(crate) centroid: bool,
     /// The line in which an alarm ends a run.
     pub(crate) stopped: Option<u32>,
@@ -203,7 +203,7 @@ impl Toolpath {
         turned(system[3], position) + origin(system)
     }
 
-    /// The same path with all its positions in the system of the first move, as far as that is known: along other axes they are as they are written.
+    /// The same path with all positions in the system of the first move. Along an axis whose origin is not known they stay as written.
     pub fn in_one_system(self) -> Toolpath {
         if self.systems.is_empty() {
             return self;
@@ -239,7 +239,7 @@ fn same(one: [f64; 4], other: [f64; 4]) -> bool {
     one.into_iter().zip(other).all(alike)
 }
 
-/// A position about 0, turned about Z. Without an angle each axis is known or not by itself.
+/// A position about 0, turned about Z. Without an angle each axis is known or unknown independently.
 fn turned(angle: f64, position: Vec3) -> Vec3 {
     frames::turn(angle, position.to_array()).into()
 }
@@ -449,7 +449,7 @@ struct Run<'t> {
     text: &'t str,
     /// Where the program itself ends: what is below may be called.
     end: usize,
-    /// Where the stylus stands before the first block.
+    /// Where the stylus is before the first block.
     start: [f64; 3],
     reader: Reader,
     calls: Calls<'t>,

@@ -11,7 +11,7 @@ use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 use crate::path::Arc;
 
-/// More whole turns in a program, by P, are straight: whoever draws them has an end.
+/// Bound on whole turns in a program, by P: further ones are straight, so that drawing ends.
 const MOST_TURNS: f64 = 10_000.0;
 
 impl Reader {
@@ -63,7 +63,7 @@ impl Reader {
         }
     }
 
-    /// A move ends where the stylus stands now: what kind of move.
+    /// A move ends where the stylus is now: what kind of move.
     #[inline]
     pub fn arrives(&mut self, motion: Motion) -> u8 {
         let kind = match motion {
@@ -270,7 +270,7 @@ impl Reader {
         }
     }
 
-    /// Centre and sweep of an arc, in degrees; none where the block does not give one.
+    /// Centre and sweep of an arc, in degrees; `None` if the block does not give one.
     fn arc(&mut self, block: &Block, from: [f64; 3], counter: bool) -> Option<[f64; 4]> {
         let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
         let (begin, end) = ([from[a], from[o]], [self.place[a], self.place[o]]);

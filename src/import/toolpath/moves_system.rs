@@ -264,7 +264,7 @@ impl Arguments {
     }
 }
 
-/// `X5 Y=3`, `RPL=30`; none where something else is there. A value that is no number is not known.
+/// `X5 Y=3`, `RPL=30`; `None` if something else is there. A value that is no number is not known.
 fn arguments(rest: &[u8]) -> Option<Arguments> {
     let mut found = Arguments {
         axes: 0,

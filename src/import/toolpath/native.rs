@@ -1,4 +1,4 @@
-//! Calls of the control's own cycles: named by the table of calls, with every argument in words, and refused as what they are where their arguments
+//! Calls of native cycles: named by the table of calls, with every argument in words, and refused as what they are where their arguments
 //! contradict each other.
 
 use serde::Serialize;
@@ -14,7 +14,7 @@ use crate::num::decimal;
 /// So many calls are listed.
 const MOST_CALLS: usize = 10_000;
 
-/// A call of one of the control's own cycles.
+/// A call of a native cycle.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NativeCall {
     /// Its 0-based line, in its own text.
@@ -43,9 +43,9 @@ pub struct NativeCall {
 pub struct NativeArgument {
     /// Its letter, its Q number, or its place between the commas.
     pub name: String,
-    /// None where it is no number or is computed from what is not known.
+    /// `None` if it is no number or is computed from what is not known.
     pub value: Option<f64>,
-    /// What it means; none where that is not known here.
+    /// What it means; `None` if that is not known here.
     pub meaning: Option<&'static str>,
     /// `length`, `angle`, `feed` or `none`.
     pub unit: Option<&'static str>,
@@ -53,7 +53,7 @@ pub struct NativeArgument {
     pub range: Option<String>,
 }
 
-/// Lists a call, and gives what it is. `arguments` are names and values, and `place` is where the stylus stands, in the program's units; NaN is not known.
+/// Lists a call, and gives what it is. `arguments` are names and values, and `place` is where the stylus is, in the program's units; NaN is not known.
 pub(super) fn listed(
     path: &mut Toolpath,
     line: usize,
@@ -182,7 +182,7 @@ pub(super) fn q_parameters(text: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// What stands between the commas of `CYCLE977(1101,,,1,…)`, by its place from 1; what is left out is not there.
+/// What is between the commas of `CYCLE977(1101,,,1,…)`, by its place from 1; what is left out is not there.
 pub(super) fn places(code: &[u8]) -> Vec<(String, f64)> {
     let Some(open) = code.iter().position(|b| *b == b'(') else {
         return Vec::new();

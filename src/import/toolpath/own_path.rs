@@ -1,4 +1,4 @@
-//! The moves of the control's own cycles, where they are known, in a run that knows where the stylus stands: Renishaw's macros, measuring cycles of a SINUMERIK.
+//! The moves of native cycles, where they are known, in a run that knows where the stylus is: Renishaw's macros, measuring cycles of a SINUMERIK.
 
 use crate::control::native::{self, Unit};
 use crate::control::own::machine::{Alarm, IN_POSITION, Kind, Machine, Made, Met};
@@ -87,7 +87,7 @@ impl Reader {
         })
     }
 
-    /// Whether it is known where the stylus stands.
+    /// Whether it is known where the stylus is.
     fn knows_place(&self) -> bool {
         !self.place.iter().any(|x| x.is_nan())
     }
@@ -177,7 +177,7 @@ impl Reader {
         self.makes((kind, made.to, met, made.rate), inch);
     }
 
-    /// What answers the moves of the control's own cycles: places of the ball's centre, mm.
+    /// What answers the moves of native cycles: places of the ball's centre, mm.
     fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
         let run = self.run.as_ref();
         let known = run.map(|run| (run.feature.clone(), run.touch, run.positioning));
@@ -209,7 +209,7 @@ impl Reader {
         }
     }
 
-    /// Makes a move of a cycle of the control's own: kind, end, contact, feed; in mm.
+    /// Makes a move of a native cycle: kind, end, contact, feed; in mm.
     fn makes(&mut self, (kind, to, met, rate): (u8, Vec3, Option<Vec3>, Option<f64>), inch: f64) {
         self.notes_system();
         let index = self.path.len();

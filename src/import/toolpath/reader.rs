@@ -59,7 +59,7 @@ pub(super) struct Reader {
     pub place: Position,
     /// Where that system is.
     pub frames: Frames,
-    /// What a run knows of touches; none where the text is read only.
+    /// What a run knows of touches; `None` if the text is read only.
     pub run: Option<Touching>,
     /// What happens beside the moves, for the rules.
     pub log: Option<Log>,
@@ -73,7 +73,7 @@ pub(super) struct Reader {
     pub is_up: bool,
     /// How many calls are under way.
     pub depth: usize,
-    /// Between `sub` and `endsub`: what stands there runs where it is called.
+    /// Between `sub` and `endsub`: what is there runs where it is called.
     pub inside: bool,
     /// How many conditions are open.
     pub conditions: usize,
@@ -91,7 +91,7 @@ pub(super) struct Reader {
     pub begun: bool,
     /// After the end of the program.
     pub ended: bool,
-    /// The subprogram that the block calls: where it is followed, whoever gives the lines gives its lines next.
+    /// The subprogram that the block calls: if it is followed, its lines come next.
     pub call: Option<Call>,
     /// Whether something was called that is not in this text, or not known: it may set any variable.
     pub called_out: bool,
@@ -149,7 +149,7 @@ pub(super) struct Reader {
     pub collisions: [Count; 2],
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<Named>,
-    /// The line of the first units, where moves stand above it.
+    /// The line of the first units, where moves are above it.
     pub late_units: Option<usize>,
 }
 
@@ -267,7 +267,7 @@ impl Reader {
         self.modes.plane.unwrap_or_default().axes()[2]
     }
 
-    /// Where the stylus stands, in the units that the program has now.
+    /// Where the stylus is, in the units that the program has now.
     pub fn here(&self) -> [f64; 3] {
         self.place.map(|x| x / self.modes.scale)
     }
@@ -334,7 +334,7 @@ impl Reader {
         let before = self.modes;
         block.empty();
         block.begin = begin;
-        // Between a jump and the end that it leaves out may stand comments, and variables that get a value.
+        // Between a jump and the end that it leaves out may be comments, and variables that get a value.
         let leaped = self.leaps;
         self.leaps &= matches!(line.get(begin), Some(b'(' | b'#'));
         self.words(line, block);
@@ -462,7 +462,7 @@ impl Reader {
                 block.ends = true;
             }
         }
-        // An end that may be jumped over, or that stands in a condition, ends nothing here.
+        // An end that may be jumped over, or that is in a condition, ends nothing here.
         self.ended = block.ends && !leaped && self.conditions == 0;
         if block.offset.is_some()
             | block.writes

@@ -318,7 +318,7 @@ fn spindle(log: &Log, last: usize) -> RunRule {
     }
 }
 
-/// A move is a way back from a touch, or goes straight up; none where that is not known.
+/// A move is a way back from a touch, or goes straight up; `None` if that is not known.
 fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     let to = path.end(index);
     let from = path.begin(index);

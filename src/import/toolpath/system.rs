@@ -1,4 +1,4 @@
-//! The variables that a control sets by itself, as far as the run knows what they hold.
+//! System variables of a control: those whose values a run knows.
 //!
 //! LinuxCNC: #5061 to #5063 and #5070 of the last probing move, #5420 to #5422 and `#<_x>` the present position, all in work coordinates and in the
 //! program's units, and the modes as `#<_metric>` and its kin (its documentation, *Parameters*). Fanuc and its kin: #5061 to #5063 the skip position,
@@ -26,7 +26,7 @@ pub struct System {
     pub met: Option<bool>,
     /// Whether it is known what touches meet, and none was made yet: the probe is not deflected.
     pub rests: bool,
-    /// Each none where the program has not stated it.
+    /// Each `None` if the program has not stated it.
     pub metric: Option<bool>,
     pub absolute: Option<bool>,
     pub plane: Option<Plane>,

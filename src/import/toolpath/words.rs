@@ -91,7 +91,7 @@ impl Reader {
         Some(end)
     }
 
-    /// What follows the letter of a word; none where that is no value.
+    /// What follows the letter of a word; `None` if that is no value.
     #[inline]
     fn value(&self, line: &[u8], at: usize, letter: u8) -> Option<Value> {
         let next = skip_blanks(line, at + 1);

@@ -22,9 +22,9 @@ pub struct Write {
     pub kind: &'static str,
     /// What is written, as the control calls it: `G54`, `G92`, `tool 5`, `#2605`.
     pub register: String,
-    /// `X`, `Y`, `Z`, or `R` for a rotation; none where the feature that is measured decides it.
+    /// `X`, `Y`, `Z`, or `R` for a rotation; `None` if the feature that is measured decides it.
     pub axis: Option<&'static str>,
-    /// In the program's first units, degrees of a rotation; none where it is not known. The present position gets it by `G10 L20` and G92.
+    /// In the program's first units, degrees of a rotation; `None` if it is not known. The present position gets it by `G10 L20` and G92.
     pub value: Option<f64>,
     /// Whether the write depends on a condition after the last touch. `Some(false)`: there is no condition. `None`: what the condition compares is unknown.
     pub guarded: Option<bool>,
@@ -54,7 +54,7 @@ pub(super) const OFFSET_AXES: usize = 3;
 /// The names of axes, and of a rotation.
 pub(super) const AXES: [&str; 4] = ["X", "Y", "Z", "R"];
 
-/// What a variable of LinuxCNC (#5211 …) or of a Fanuc writes; none where it is no register.
+/// What a variable of LinuxCNC (#5211 …) or of a Fanuc writes; `None` if it is no register.
 pub(super) fn of_number(number: i32, linuxcnc: bool) -> Option<Variable> {
     let own = |first: i32| {
         let (set, axis) = ((number - first) / 20, ((number - first) % 20) as usize);

@@ -151,7 +151,7 @@ impl Reader {
         }
     }
 
-    /// What a call of one of the control's own cycles writes.
+    /// What a call of a native cycle writes.
     #[cold]
     pub(super) fn wrote_by_call(&mut self, call: &Call, arguments: &[(String, f64)]) {
         for written in call.written(arguments) {

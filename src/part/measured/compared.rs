@@ -16,7 +16,7 @@ use crate::text::text;
 /// Both print four decimals.
 const LAST_DIGIT: f64 = 6e-4;
 
-/// What a line is of.
+/// The value that a line compares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Size,
@@ -177,7 +177,7 @@ fn number(text: &str) -> Option<f64> {
     line::number(text.trim_start()).map(|(number, _)| number)
 }
 
-/// The text with such values as results of the job: `diameter=40.0132`. A value that no result of the job has is an error: it is of another part.
+/// The text with such values as results of the job: `diameter=40.0132`. A value that no result of the job has is an error: it belongs to another part.
 pub fn as_results<'t>(
     checker: &mut Checker,
     text: &'t str,

@@ -203,7 +203,7 @@ fn check_count(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     checker.error("wrong-count", "measured", message);
 }
 
-/// Whether reports are in inch, as far as the log says.
+/// Whether reports are in inch, if the log tells.
 fn inches(checker: &mut Checker, log: &Log) -> Option<bool> {
     let mut stated = log.items.iter().filter_map(|(number, item)| match item {
         Item::Inches(on) => Some((*number, *on)),

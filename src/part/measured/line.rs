@@ -1,6 +1,6 @@
 //! One line of a sender's log: what grbl reports in it, and what was sent to grbl.
 //!
-//! Sources: grbl 1.1's interface document and its report.c: reports stand in square brackets or between `<` and `>`; what grblHAL and FluidNC add
+//! Sources: grbl 1.1's interface document and its report.c: reports are in square brackets or between `<` and `>`; what grblHAL and FluidNC add
 //! (further axes, `WCS:`, G59.1 to G59.3) is read likewise. Senders put a prompt or a time in front; none of that is looked at.
 
 use crate::geom::Vec3;
@@ -17,7 +17,7 @@ pub enum Item {
     },
     /// `WCO:`: machine less work coordinates.
     Shift(Vec3),
-    /// Where the machine stands idle, in machine or in work coordinates.
+    /// Where the machine is idle, in machine or in work coordinates.
     Stands { place: Vec3, work: bool },
     /// `[G54:x,y,z]`, 1 = G54.
     Offset(u8, Vec3),
@@ -85,7 +85,7 @@ pub fn items(line: &str) -> Vec<Item> {
     found
 }
 
-/// A line without what stands in parentheses.
+/// A line without what is in parentheses.
 pub fn without_comments(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
@@ -111,7 +111,7 @@ pub fn offset_alone(line: &str) -> Option<u8> {
 }
 
 /// X, Y and Z of a line that has these words and no others: `X1.2 Y3.4 Z5.6`, in any order, also `X=1.2` and with blanks between letter, sign and
-/// digits. A name and a count may stand in front: `TOUCH 1 X…`. None for any other line.
+/// digits. A name and a count may be in front: `TOUCH 1 X…`. None for any other line.
 pub fn letters(line: &str) -> Option<[f64; 3]> {
     let begin = line.char_indices().find(|(at, c)| {
         let before = line[..*at].chars().next_back();
@@ -149,7 +149,7 @@ pub fn letters(line: &str) -> Option<[f64; 3]> {
     Some([found[0]?, found[1]?, found[2]?])
 }
 
-/// The number that a text begins with, and what follows: blanks may stand in front of it and behind its sign, as DPRNT prints them.
+/// The number that a text begins with, and what follows: blanks may be in front of it and behind its sign, as DPRNT prints them.
 pub fn number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim_start_matches([' ', '\t']);
     let (sign, digits) = match text.as_bytes().first()? {
@@ -183,10 +183,10 @@ fn place<'a>(text: &'a str, ends: &[char]) -> Option<(Vec3, &'a str)> {
     (rest.is_empty() || rest.starts_with(ends)).then_some((Vec3::new(x, y, z), rest))
 }
 
-/// Of what stands in front of a report, so many characters are looked at.
+/// Of what is in front of a report, so many characters are looked at.
 const LONGEST_PREFIX: usize = 60;
 
-/// A report of a touch, from what stands before and behind its `PRB:`.
+/// A report of a touch, from what is before and behind its `PRB:`.
 fn touch(before: &str, after: &str) -> Item {
     let read = || {
         let (place, rest) = place(after, &[':'])?;
@@ -268,7 +268,7 @@ fn settings(line: &str, found: &mut Vec<Item>) {
     }
 }
 
-/// What a status report says, and a `WCO:` that stands alone.
+/// What a status report says, and a `WCO:` that is alone.
 fn status(line: &str, found: &mut Vec<Item>) {
     let of = |key: &str| {
         line.split_once(key)
@@ -297,7 +297,7 @@ fn offset_number(digits: &str) -> Option<u8> {
         .map(|i| i as u8 + 1)
 }
 
-/// Where the report ends that a text begins with; none where another one begins before.
+/// Where the report ends that a text begins with; `None` if another one begins before.
 fn report(text: &str, [open, close]: [u8; 2]) -> Option<usize> {
     let end = 1 + text
         .bytes()
@@ -306,7 +306,7 @@ fn report(text: &str, [open, close]: [u8; 2]) -> Option<usize> {
     (text.as_bytes()[end] == close).then_some(end)
 }
 
-/// A line without what stands in brackets or is a status report.
+/// A line without what is in brackets or is a status report.
 fn without_reports(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
@@ -324,7 +324,7 @@ fn without_reports(line: &str) -> String {
     out + rest
 }
 
-/// The words of a block that a line ends with, whatever stands in front of it; none where it holds no block. What follows a semicolon, and an `ok`,
+/// The words of a block that a line ends with, whatever is in front of it; `None` if it holds no block. What follows a semicolon, and an `ok`,
 /// are not of it; `$N0=G54` keeps a block for later.
 fn block(line: &str) -> Option<Vec<(char, f64)>> {
     let line = line
@@ -448,7 +448,7 @@ mod tests {
         assert_eq!(items("<<< [PRB:0.000,0.000,1.492:1]"), [touch]);
     }
 
-    /// A block counts wherever a sender puts it, prose does not.
+    /// A block counts anywhere in the line of a sender, prose does not.
     #[test]
     fn blocks_are_found_behind_any_prompt() {
         for line in [

@@ -67,7 +67,7 @@ impl Log {
         log
     }
 
-    /// The touches that count: line, place, none where it missed, and what stands in front.
+    /// The touches that count: line, place, `None` if it missed, and what is in front.
     pub fn touched(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &str)> {
         self.touches.iter().filter_map(|at| match &self.items[*at] {
             (

@@ -24,26 +24,26 @@ pub struct Expected<'a> {
     pub radius: f64,
     /// What the program is called, as the job and as the control say it: a printed text may begin with it.
     pub names: [String; 2],
-    /// Where the control's own cycles keep results: the variable, as `Q153`, and the place in the list of results.
+    /// Where native cycles keep results: the variable, as `Q153`, and the place in the list of results.
     pub kept: Vec<(String, usize)>,
 }
 
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
-    /// Ball centres, one a touch, mm in the work coordinate system; none where a touch missed. Empty where results were given.
+    /// Ball centres, one a touch, mm in the work coordinate system; `None` if a touch missed. Empty where results were given.
     pub points: Vec<Option<Vec3>>,
     /// The values of the formula's results, where the text says those and not the touches; mm or degrees.
     pub results: Option<Vec<Option<f64>>>,
-    /// Where the machine stands, as far as a log says so.
+    /// Position of the machine, if the log gives it.
     pub stand: Option<Stand>,
 }
 
 /// What a log says of the machine after the touches.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stand {
-    /// The work offset in which the touches were made, 1 = G54; none where the log does not say.
+    /// The work offset in which the touches were made, 1 = G54; `None` if the log does not say.
     pub offset: Option<u8>,
-    /// Why the machine may not stand where the program ends; none where nothing in the log speaks against it.
+    /// Why the machine may not be where the program ends; `None` if nothing in the log speaks against it.
     pub away: Option<Text>,
 }
 
@@ -159,7 +159,7 @@ enum Form {
 }
 
 impl Form {
-    /// None where a line is none of these: plain numbers, or no measurement.
+    /// `None` if a line is none of these: plain numbers, or no measurement.
     fn of(text: &str, expected: &Expected<'_>) -> Option<Form> {
         let bare = line::without_comments(text);
         if bare.contains("PRB:") {
@@ -182,7 +182,7 @@ fn is_numbers(line: &str) -> bool {
             .all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,;".contains(c))
 }
 
-/// A line that could be a measurement, and is of none of the forms around it.
+/// A line that may be a measurement but has none of the forms around it.
 fn unclear(checker: &mut Checker, number: usize, line: &str) {
     let message = text!(
         "Line {line} may be a measurement but does not match the lines around it: \"{text}\". Remove it, or paste only the measurements",

@@ -134,7 +134,7 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
 }
 
 impl Gathered {
-    /// None where a log has no touch.
+    /// `None` if a log has no touch.
     fn of(log: &Log) -> Option<Gathered> {
         let (first, last) = (*log.touches.first()?, *log.touches.last()?);
         let mut found = Gathered::default();

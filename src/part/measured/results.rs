@@ -12,7 +12,7 @@ use crate::text::text;
 /// The name of a result as programs print it.
 type Code = Cow<'static, str>;
 
-/// Those of a formula, in the order of its results, and behind them those of the variables in which the control's own cycles keep some.
+/// Those of a formula, in the order of its results, and behind them those of the variables in which native cycles keep some.
 fn codes(expected: &Expected<'_>) -> Vec<Code> {
     let formula = &expected.path.formula;
     let variables = expected
@@ -27,7 +27,7 @@ fn codes(expected: &Expected<'_>) -> Vec<Code> {
         .collect()
 }
 
-/// The result that one of these names is of.
+/// The result with one of these names.
 fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
     match name.checked_sub(expected.path.formula.results.len()) {
         None => Some(name),
@@ -35,15 +35,15 @@ fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
     }
 }
 
-/// A name and what stands behind its equals sign.
+/// A name and what is behind its equals sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<'a> {
     name: &'a str,
-    /// None where that is no number.
+    /// `None` if that is no number.
     value: Option<f64>,
 }
 
-/// Every `name=number` of a line, without what stands in parentheses. What computes (`#1`, `[`) is a block of a program and no pair.
+/// Every `name=number` of a line, without what is in parentheses. What computes (`#1`, `[`) is a block of a program and no pair.
 pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     let mut found = Vec::new();
     let mut rest = line;
@@ -74,7 +74,7 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     found
 }
 
-/// The number that a text begins with, and what follows. A control may show it with a decimal comma, `-59,98`: digits stand on both sides of it, and nothing
+/// The number that a text begins with, and what follows. A control may show it with a decimal comma, `-59,98`: digits are on both sides of it, and nothing
 /// directly behind.
 fn number(text: &str) -> Option<(f64, &str)> {
     let (whole, rest) = line::number(text)?;
@@ -133,7 +133,7 @@ pub fn known(line: &str, expected: &Expected<'_>) -> bool {
         .any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
 }
 
-/// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may stand in the text and are not read.
+/// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may be in the text and are not read.
 pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
     let (defs, codes) = (&expected.path.formula.results, codes(expected));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
@@ -167,7 +167,7 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     });
     let mut results: Vec<Option<f64>> = scaled.collect();
     let added = expected.path.complete(&mut results);
-    // What a control's own cycle keeps nowhere is not missed.
+    // What a native cycle keeps nowhere is not missed.
     let kept = |i: usize| {
         let of_relation = expected
             .path

@@ -1,4 +1,4 @@
-//! Whether the machine stands where the program ends, as far as a log says.
+//! Compares the position of the machine in a log with the end of the program.
 
 use crate::part::measured::Expected;
 use crate::part::measured::line::Item;
@@ -6,10 +6,10 @@ use crate::part::measured::log::Log;
 use crate::part::measured::offset::Shift;
 use crate::text::{Text, text};
 
-/// As far from the end of the program, in mm, the machine still stands there: its steps are rounded.
+/// As far from the end of the program, in mm, the machine still is there: its steps are rounded.
 const ROUNDED: f64 = 0.05;
 
-/// Why the machine may not stand where the program ends; none where nothing in the log speaks against it. `scale` is mm in a unit of the log.
+/// Why the machine may not be where the program ends; `None` if nothing in the log speaks against it. `scale` is mm in a unit of the log.
 pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Option<Text> {
     let (first, last) = (*log.touches.first()?, *log.touches.last()?);
     let mut ended = false;

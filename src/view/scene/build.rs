@@ -123,7 +123,7 @@ pub fn between(
         ..Scene::about(setup.plane, view)
     };
     for member in path.members.iter().skip(1) {
-        // A cycle that begins where nothing is stated goes to its first place by itself.
+        // A cycle without a stated start moves to its first position.
         let own = usize::from(member.path.start.is_none());
         let first = path
             .members
@@ -223,7 +223,7 @@ struct Look<'a> {
     towards: Vec3,
 }
 
-/// A wall, and how far towards who looks it stands.
+/// A wall, and how far towards who looks it is.
 type Standing = (f64, WallShape);
 
 impl Look<'_> {
@@ -257,7 +257,7 @@ impl Look<'_> {
         }
     }
 
-    /// A surface as it is seen. The strips of a round one stand together, to be drawn in one.
+    /// A surface as it is seen. The strips of a round one are together, to be drawn in one.
     fn surface(&self, surface: &Surface) -> Vec<Standing> {
         match surface {
             Surface::Flat(wall) => vec![(wall.point.dot(self.towards), self.shape(wall))],

@@ -93,9 +93,9 @@ pub struct Line {
     pub rapid: bool,
     /// Whether it is the way back from a touch.
     pub back: bool,
-    /// What stands before it: that with this top side.
+    /// What is before it: that with this top side.
     pub behind: Option<usize>,
-    /// Whether it is drawn pale: from the top it runs so high that nothing of the part is near it, or it is of a cycle that is not in hand.
+    /// Whether it is drawn pale: from the top it runs so high that nothing of the part is near it, or belongs to a cycle that is not active.
     pub pale: bool,
     /// Index of the move in the path.
     pub index: usize,
@@ -113,13 +113,13 @@ pub struct TouchShape {
     pub number: usize,
     /// The name of its cycle, at the first touch of each in a set-up.
     pub named: Option<String>,
-    /// Whether it is drawn pale: it is of a cycle that is not in hand.
+    /// Whether it is drawn pale: it belongs to a cycle that is not active.
     pub pale: bool,
-    /// Where its number stands: a direction away from the material.
+    /// Where its number is: a direction away from the material.
     pub inward: Vec2,
     /// Index of the move that makes it.
     pub index: Option<usize>,
-    /// What stands before its ball: that with this top side.
+    /// What is before its ball: that with this top side.
     pub behind: Option<usize>,
 }
 
@@ -140,7 +140,7 @@ pub struct Drawn {
     pub field: &'static str,
     /// Its ends on the part.
     pub ends: [Vec2; 2],
-    /// The side on which its line stands.
+    /// The side on which its line is.
     pub aside: Vec2,
     /// Whether the other side is as good.
     pub either: bool,
@@ -185,7 +185,7 @@ pub struct Scene {
     pub ends: Vec<Vec2>,
     /// What else must be in sight: arcs beyond their ends.
     pub beyond: Vec<Vec2>,
-    /// Millimetres in a unit of the job or program, whose scale is drawn; none where a program does not say its units.
+    /// Millimetres in a unit of the job or program, whose scale is drawn; `None` if a program does not say its units.
     pub unit: Option<f64>,
     /// Radius of the ball, mm.
     pub radius: f64,

@@ -1,4 +1,4 @@
-//! Top sides: isometric, what stands is seen whole, with its top and without its far walls.
+//! Top sides: in the isometric view a stud is drawn whole, with its top and without its far walls.
 
 use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Surface, Wall};
@@ -179,7 +179,7 @@ impl Backs {
         Backs(backs)
     }
 
-    /// What stands before a line: where all of it is beyond one of its far sides, it hides nothing of it.
+    /// What is before a line: where all of it is beyond one of its far sides, it hides nothing of it.
     pub(super) fn before(&self, ends: [Vec3; 2]) -> Option<usize> {
         let beyond = |(point, out, _): &&(Vec3, Vec3, usize)| {
             ends.iter().all(|at| (*at - *point).dot(*out) > -1e-6)

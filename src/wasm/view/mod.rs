@@ -52,7 +52,7 @@ pub struct View {
     end: Option<dimensions::End>,
     /// Which cycle of a set-up is in hand, by its place in the list.
     hand: usize,
-    /// What `render` draws; none where every change is drawn at once.
+    /// What `render` draws; `None` if every change is drawn at once.
     due: Option<Cell<Due>>,
 }
 
@@ -82,7 +82,7 @@ impl Shown {
     }
 }
 
-/// What a scene is of.
+/// Content of a scene.
 #[derive(Debug)]
 enum Content {
     Job(Box<Held>),
@@ -378,7 +378,7 @@ impl View {
     }
 
     /// The job that is shown as an SVG, looked at from the same side, with the names of its dimensions as they are shown; deviations as large as they
-    /// are. None where no job is shown.
+    /// are. `None` if no job is shown.
     pub fn svg(&self, title: &str) -> Option<String> {
         let held = self.held()?;
         let picture = held

@@ -278,7 +278,7 @@ fn linuxcnc_and_the_page_agree_on_scattered_points() {
     );
 }
 
-/// AXIS shows ten messages, and another one removes the first of them: the 25 and more results of 1411 stand several in a message. The interpreter shows each.
+/// AXIS shows ten messages, and another one removes the first of them: the 25 and more results of 1411 are several in a message. The interpreter shows each.
 #[test]
 fn the_results_of_two_circles_fit_on_the_screen() {
     let jobs = crate::common::unlimited_jobs();

@@ -154,7 +154,7 @@ fn the_first_block_of_1411_drives_to_where_the_stylus_is_said_to_be() {
 
 #[test]
 fn the_ball_comes_down_into_the_material_beside_a_hole() {
-    // Stand-off 2 + 3: beyond it the ball comes down on the plate, wherever that is.
+    // Stand-off 2 + 3: beyond it the ball comes down on the plate at any height.
     for shift in [9.0, 11.0, 14.0, 25.0] {
         for y in [0.0, shift] {
             let job = job(&format!(
@@ -167,7 +167,7 @@ fn the_ball_comes_down_into_the_material_beside_a_hole() {
             );
         }
     }
-    // A stud stands free.
+    // A stud is free.
     let studs = job(
         r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "geometryType": 1 }, "part": { "offset": [-1, 1, 0] } }"#,
     );
@@ -314,7 +314,7 @@ fn predefined_heights_become_no_program_of_moves() {
             "not-known cycle.clearanceHeightPredef".to_owned()
         ]
     );
-    // The control's own cycle takes them from GLOBAL DEF: what stands in for the picture refuses nothing.
+    // The native cycle takes them from GLOBAL DEF: what stands in for the picture refuses nothing.
     let own = job(&format!(
         r#"{{ "format": 1, "control": {{ "post": "heidenhain", "form": "cycle" }},
         "cycle": {{ {predef}, "point1": [-30, 0, 140], "point2": [30, 0, 140], "probe": {{ "setUp": 0 }},

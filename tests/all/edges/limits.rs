@@ -50,7 +50,7 @@ fn a_touch_that_meets_nothing_before_a_collision_is_said() {
 }
 
 /// The program is that of the drawing, and the part a trial: nothing was to be saved until the trial was taken back. Nothing is stored of a run that ends in
-/// the part, not even what was measured before: the arithmetic stands behind the last move.
+/// the part, not even what was measured before: the arithmetic is behind the last move.
 #[test]
 fn a_trial_of_the_virtual_part_took_the_program_away() {
     let nominal = cycle(
@@ -205,7 +205,7 @@ fn a_long_overtravel_behind_a_short_way_is_proven() {
     );
 }
 
-/// The rotation of the ninth work offset stands in #5390.
+/// The rotation of the ninth work offset is in #5390.
 #[test]
 fn the_last_work_offset_of_linuxcnc_is_turned_like_the_others() {
     let job = job(

@@ -1,4 +1,4 @@
-//! The edges: how a program begins and ends, what a path must hold, and what stands between two values that look alike. Each test is named
+//! The edges: how a program begins and ends, what a path must hold, and what is between two values that look alike. Each test is named
 //! after a failure that was seen.
 
 mod begin;
@@ -472,7 +472,7 @@ fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
 }
 
 /// On a tie a coordinate is rounded by other means than beside it: the same digits must count as the same word. No word has changed here, so all
-/// three stand in the block.
+/// three are in the block.
 #[test]
 fn the_same_number_made_in_two_ways_is_another_word() {
     let job = job(

@@ -126,7 +126,7 @@ fn a_real_life_dump_is_read() {
     let said: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
     assert_eq!(said, ["unknown-code", "not-in-dump", "not-in-dump"]);
     assert_eq!(crate::common::values(&imported.findings[0]), ["-77"]);
-    // What is missing is said, code by code, and defaults stand in.
+    // What is missing is said, code by code, and defaults apply.
     let short = import(&dump.replace("CmdPrm.Flt[-51] = 12,0\n", "")).unwrap();
     assert!(
         short

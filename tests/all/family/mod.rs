@@ -26,7 +26,7 @@ fn codes(plan: &Plan) -> Vec<String> {
         .collect()
 }
 
-/// The rows of each page of the source, in its order: what stands before the touch points, how many touches, what stands after them.
+/// The rows of each page of the source, in its order: what is before the touch points, how many touches, what is after them.
 #[test]
 fn every_type_has_the_rows_of_its_page() {
     let pages: &[(&str, i32, &str, i32, &str)] = &[
@@ -475,7 +475,7 @@ fn the_virtual_part_of_each_kind_by_hand() {
     );
 }
 
-/// A wrong word is found where the part stands in the way: a crossing below the top of a block, a ball that does not go in.
+/// A wrong word is found where the part is in the way: a crossing below the top of a block, a ball that does not go in.
 #[test]
 fn dimensions_that_do_not_go_together_are_refused() {
     let found = |text: &str| -> Vec<String> {

@@ -313,7 +313,7 @@ fn picks_that_make_no_feature_are_refused() {
     assert_eq!(found(&cycle(custom)), wrong);
 }
 
-/// Picking the very touches that the dimensions give changes nothing, wherever the form says the feature is; and a part that
+/// Picking the very touches that the dimensions give changes nothing, at any position of the feature; and a part that
 /// lies off, or has other sizes, is measured the same.
 #[test]
 fn picking_what_the_dimensions_give_changes_nothing() {

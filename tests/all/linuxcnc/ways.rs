@@ -153,7 +153,7 @@ fn the_first_place_is_reached_up_across_and_down() {
     }
 }
 
-/// A job that says where the stylus stands is the operator's word: a stylus that was left lower goes up before it goes across.
+/// The start position of a job is the operator's word: a stylus that was left lower goes up before it goes across.
 #[test]
 fn a_stylus_below_the_stated_start_goes_up_first() {
     let circles = with(

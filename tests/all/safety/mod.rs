@@ -878,7 +878,7 @@ fn a_result_that_is_overwritten_in_another_spelling_is_not_proven() {
     ] {
         let job = job_for("internal-rectangle-protected", post, Form::Moves, false);
         let plan = plan(&job).unwrap();
-        // The first result stands in this variable.
+        // The first result is in this variable.
         let named = plan
             .program
             .text
@@ -930,7 +930,7 @@ fn the_blocks_that_stop_reading_ahead_are_asked_for() {
         } else {
             "(NO)\n"
         };
-        // A Haas stops by itself at M78 and M79: what stands behind its end runs only where nothing has moved.
+        // A Haas stops by itself at M78 and M79: what is behind its end runs only where nothing has moved.
         let end = if post == "haas" {
             plan.program.text.find("\nM30").unwrap()
         } else {
@@ -967,7 +967,7 @@ fn the_blocks_that_stop_reading_ahead_are_asked_for() {
     }
 }
 
-/// A comment that says where the stylus stands makes no program safe: the job says so, or it is not so.
+/// A comment that says where the stylus is makes no program safe: the job says so, or it is not so.
 #[test]
 fn a_comment_holds_no_rule() {
     let job = job_for(

@@ -6,7 +6,7 @@ use crate::tests::controls::{calling, computing};
 use touchpath::form::{Level, Value};
 use touchpath::job::{check, convert_units, evaluate};
 
-/// Two holes, and a slot 40 mm beside the middle between them, square to the line through both. The surface stands between what the relations are of and
+/// Two holes, and a slot 40 mm beside the middle between them, square to the line through both. The surface is between what the relations are of and
 /// the cycle that follows them; the last relation is of one that is computed early and of the last cycle.
 pub const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
   "limits": { "position": 3, "angle": 1.5 },
@@ -385,7 +385,7 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
     );
 }
 
-/// Two bores of the control's own cycles and the line through them.
+/// Two bores of native cycles and the line through them.
 fn of_own_cycles(post: &str, more: &str) -> Value {
     let text = format!(
         r#"{{ "format": 2, "control": {{ "post": "{post}", "form": "cycle" }},
@@ -400,7 +400,7 @@ fn of_own_cycles(post: &str, more: &str) -> Value {
     job(&text)
 }
 
-/// The control's own cycles keep their results, and these programs do not compute with them. The relations follow from the values of the variables, typed
+/// Native cycles keep their results, and these programs do not compute with them. The relations follow from the values of the variables, typed
 /// as the control shows them: by hand 120.05 mm and -0.2 mm apart, atan2(0.6, 120.05) = 0.28636°.
 #[test]
 fn relations_follow_from_what_own_cycles_keep() {

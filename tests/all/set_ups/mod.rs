@@ -88,7 +88,7 @@ fn alone(post: &str, key: &str, along: f64) -> Value {
     }
 }
 
-/// Each cycle stands next to another, on every control: its moves, its touches and its results are those that it has alone.
+/// Each cycle is next to another, on every control: its moves, its touches and its results are those that it has alone.
 #[test]
 fn a_cycle_in_a_set_up_is_the_cycle_alone() {
     let keys = measuring();
@@ -662,7 +662,7 @@ fn a_set_up_in_inch_is_the_same() {
     assert!((diameter.value.unwrap() - 25.254).abs() < 1e-5);
 }
 
-/// The same of the control's own cycles: the path of each is that which it has alone, and what the next one empties is kept.
+/// The same of native cycles: the path of each is that which it has alone, and what the next one empties is kept.
 #[test]
 fn cycles_of_the_controls_own_stand_in_one_program() {
     let own = |job: &Value| {
@@ -813,7 +813,7 @@ fn of_the_controls_own_cycles_the_last_one_writes() {
     );
 }
 
-/// By hand: a part that is shifted by 0.3 and -0.2 and turned by 0.4° about its origin moves the origin by just that, wherever the bore is that says so; what
+/// By hand: a part that is shifted by 0.3 and -0.2 and turned by 0.4° about its origin moves the origin by just that, for any position of the bore; what
 /// scatters in the direction moves an origin that is 112 mm away.
 #[test]
 fn a_shift_beside_a_rotation_is_that_of_the_origin() {

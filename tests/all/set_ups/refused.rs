@@ -143,7 +143,7 @@ fn a_datum_that_is_no_result_is_refused_with_those_that_are() {
     }
 }
 
-/// A cycle of the control's own writes all that it measures: a job that would rather have less is refused, and no program says that it writes less.
+/// A native cycle writes all that it measures: a job that would rather have less is refused, and no program says that it writes less.
 #[test]
 fn what_a_cycle_of_the_control_writes_is_not_left_out() {
     let of = |post: &str, offset: &str, datum: &str| {
@@ -221,7 +221,7 @@ fn what_is_written_is_proposed() {
     assert_eq!(plan.program.writes, ["X", "Y", "Z"]);
 }
 
-/// By hand: a stud of 20 stands 30 high in the way; the hole beside it is come to at the height that the job says.
+/// By hand: a stud of 20 is 30 high in the way; the hole beside it is come to at the height that the job says.
 #[test]
 fn the_way_to_a_cycle_does_not_hit_another_feature() {
     let of = |clear: &str, stud: f64| {

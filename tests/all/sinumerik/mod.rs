@@ -332,7 +332,7 @@ fn what_the_control_cannot_do_is_refused() {
     let cycle = with(&pocket, "control.form", text("cycle"));
     assert_eq!(found(&pocket), [""; 0]);
     assert_eq!(found(&cycle), [""; 0]);
-    // Turned by argument 10; parallel to the axes, but width 1 along the second one, the widths stand the other way round.
+    // Turned by argument 10; parallel to the axes, but width 1 along the second one, the widths are the other way round.
     let call = |turn: f64| {
         planned(&with(&cycle, "cycle.rotation", number(turn)))
             .program

@@ -256,7 +256,7 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     }
 }
 
-/// The control's own cycle corrects the coarse part of the offset: what else moves the offset's zero would be in the result.
+/// The native cycle corrects the coarse part of the offset: what else moves the offset's zero would be in the result.
 #[test]
 fn the_cycle_is_not_called_where_the_offset_has_a_fine_part() {
     let (_, job, plan) = plans()

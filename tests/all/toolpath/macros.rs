@@ -118,7 +118,7 @@ fn what_is_not_known_stays_unknown() {
     }
 }
 
-/// Whatever stands there: it comes back, and a loop without an end has one.
+/// Whatever is there: it comes back, and a loop without an end has one.
 #[test]
 fn hostile_macros_come_back() {
     for text in [

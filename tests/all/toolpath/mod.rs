@@ -185,7 +185,7 @@ T1 M5 S100
     assert!(moves > 2500 && arcs > 800, "{moves} {arcs}");
 }
 
-/// The moves of every program that is made here stand in the lines that the plan says, probing moves as such.
+/// The moves of every program that is made here are in the lines that the plan says, probing moves as such.
 #[test]
 fn programs_of_plans_are_their_plans() {
     let mut seen = 0;
@@ -355,7 +355,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             &["places-transformed"],
         ),
         ("G54\nX20\nG54\nX30", 3, known(30.0, 10.0, 10.0), &[]),
-        // A cycle leaves the ball at its retract plane, wherever that is.
+        // A cycle leaves the ball at its retract plane, at any height.
         (
             "G81 X20 Y20 Z-5 R2 F100\nX25 Y5\nX27 Z-8\nG80\nG0 X30",
             2,
@@ -466,7 +466,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(2.0, 10.0, f64::NAN),
             &["lines-skipped"],
         ),
-        // What stands in a subroutine runs where it is called; what stands after the end does not run.
+        // What is in a subroutine runs where it is called; what is after the end does not run.
         (
             "o<s> sub\nG1 Z-50\no<s> endsub\nX2",
             2,

@@ -95,7 +95,7 @@ fn a_log_gives_what_its_points_give() {
                 &[if inch_job { "G20" } else { "G21" }, "G10", "L20"]
             );
             prop_assert_eq!(words[3], format!("P{offset}"));
-            // The datum by what stands in the results: as far as the block moves the reading of the end, the measured place moves to its nominal one.
+            // The datum by what is in the results: as far as the block moves the reading of the end, the measured place moves to its nominal one.
             let planned = planned(&job).unwrap();
             let datum = planned.path.formula.datum.unwrap();
             let end = predicted.moves.last().unwrap().to;
@@ -126,7 +126,7 @@ fn a_log_gives_what_its_points_give() {
                     continue;
                 };
                 let measured = found.results[at].value.unwrap();
-                // The machine stands at end + WCO; G10 L20 makes the offset that place less `reads`; the datum is at measured + WCO.
+                // The machine is at end + WCO; G10 L20 makes the offset that place less `reads`; the datum is at measured + WCO.
                 let machine = end[axis] + wco[axis] / scale;
                 let new_offset = machine - reads;
                 let now = measured + wco[axis] / scale - new_offset;
@@ -231,7 +231,7 @@ fn a_log_with_lines_lost_or_twice_is_refused_or_gives_the_same() {
     );
 }
 
-/// A touch is reported where its move stands: the touches of every job are made in their order, as texts with a point a line need it.
+/// A touch is reported where its move is: the touches of every job are made in their order, as texts with a point a line need it.
 #[test]
 fn touches_are_made_in_their_order() {
     for (name, job) in crate::common::jobs() {

@@ -113,7 +113,7 @@ ok
 fn a_log_of_ugs_gives_results_and_the_block() {
     let found = measured(&pocket(), UGS);
     is_the_pocket(&found);
-    // The ball stands at X0 Y0, and the measured centre at 0.1, 0.2 is to read 0: the ball then reads −0.1, −0.2.
+    // The ball is at X0 Y0, and the measured centre at 0.1, 0.2 is to read 0: the ball then reads −0.1, −0.2.
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
     assert_eq!(codes(&found), ["converted", "block-to-type"]);
     assert_eq!(values(&found.findings[0]), ["5", "X-200 Y-150 Z-60", "mm"]);
@@ -417,7 +417,7 @@ fn after_the_block_the_measured_place_reads_its_nominal() {
     let log = format!("G54\nWCO:-200,-150,-60\n{}\n", shifted.join("\n"));
     let found = measured(&off, &log);
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X4.9 Y6.8"));
-    // By hand: the machine stands at 5 − 200 = −195, the offset becomes −195 − 4.9 = −199.9, and the centre, measured at 5.1 − 200 = −194.9,
+    // By hand: the machine is at 5 − 200 = −195, the offset becomes −195 − 4.9 = −199.9, and the centre, measured at 5.1 − 200 = −194.9,
     // reads −194.9 + 199.9 = 5.
     let machine = 5.0 - 200.0;
     let offset = machine - 4.9;

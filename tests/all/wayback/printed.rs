@@ -34,7 +34,7 @@ fn printed_results_give_rows() {
             .collect(),
         plain.replace('\n', " "),
         format!("%\n{dprnt}%\n"),
-        // The program itself stands in a log, and a result is there twice with one value.
+        // The program itself is in a log, and a result is there twice with one value.
         format!("(PRINT,center.x=#<center_x>)\n#<center_x>=[[#1+#2]/2]\n{plain}{plain}"),
     ];
     let expected = plan(&pocket()).unwrap().results;
@@ -313,7 +313,7 @@ fn points_by_their_letters() {
     }
 }
 
-/// The output of LinuxCNC's interpreter as it comes: what the program prints stands among the calls. In it a touch runs to its end, 5 past the
+/// The output of LinuxCNC's interpreter as it comes: what the program prints is among the calls. In it a touch runs to its end, 5 past the
 /// contact: the pocket is 10 wider.
 #[test]
 fn what_linuxcnc_prints_is_read_as_it_comes() {

@@ -110,7 +110,7 @@ pub enum Term {
     Call(String, Vec<Term>),
     /// `−…`.
     Minus(Box<Term>),
-    /// Two operands and what stands between them.
+    /// Two operands and what is between them.
     Binary(&'static str, Box<Term>, Box<Term>),
 }
 
@@ -153,7 +153,7 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
             program.comments.push(comment.to_owned());
         }
         let code = without_number(code.trim());
-        // What stands before a program in an archive.
+        // What is before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             continue;
         }
@@ -265,7 +265,7 @@ fn statement(code: &str) -> Result<Statement, String> {
     words(code)
 }
 
-/// Where the `=` of an assignment stands.
+/// Where the `=` of an assignment is.
 fn assignment(code: &str) -> Option<usize> {
     let at = code.find('=')?;
     let place = code[..at].trim();
@@ -475,7 +475,7 @@ impl Program {
         troubles
     }
 
-    /// Whether the MEAS move of this block must touch, by the check that follows it; none where there is no check.
+    /// Whether the MEAS move of this block must touch, by the check that follows it; `None` if there is no check.
     fn check_after(&self, block: usize) -> Option<bool> {
         let stop = Statement::Words(vec!["STOPRE".to_owned()]);
         let [stopped, check] = self.blocks.get(block + 1..block + 3)? else {

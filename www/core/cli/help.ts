@@ -56,7 +56,7 @@ export const NAMES = Object.keys(COMMANDS) as Command[];
 export const JOBS = ["plan", "check", "table", "svg", "evaluate", "report"];
 const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 
-/** The file of rules that is found by itself. */
+/** The file of rules that is found automatically. */
 export const CONFIG_FILE = "touchpath.config.json";
 
 /** The options: as they are typed, what they do, the commands that take them. */

@@ -1,4 +1,4 @@
-// The list of a folder of programs: which file is of which job, each with its hash.
+// The list of a folder of programs: the job of each file, with its hash.
 import { createHash } from "node:crypto";
 import { readFile, stat } from "node:fs/promises";
 import { isAbsolute, join, relative, resolve, sep } from "node:path";
@@ -133,7 +133,7 @@ export async function* heldAgainst(
     else if (hashOf(bytes) !== sha256)
       yield outcome(source, "changed", "has changed since it was listed");
     else {
-      // As whoever asks would name it.
+      // As a caller would name it.
       const named =
         job.file === null
           ? ""

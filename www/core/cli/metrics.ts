@@ -14,7 +14,7 @@ export class Metrics {
   private readonly requests = new Map<string, number>();
   private readonly times = new Map<string, Times>();
 
-  /** A request was answered. Of routes that are not there all count as one: whoever asks does not name what is counted. */
+  /** A request was answered. Of routes that are not there all count as one: a client cannot add names to the metrics. */
   count(route: string, status: number, seconds: number): void {
     const path = route === "*" || route === "/*" ? "other" : route;
     const key = `route="${path}",status="${status}"`;

@@ -106,7 +106,7 @@ export async function handOut(
       results.push(outcome.output.text);
       continue;
     }
-    // What is written stands on a line of its own.
+    // What is written is on a line of its own.
     progress.clear();
     const { source, output, findings } = outcome;
     if (byLine) {

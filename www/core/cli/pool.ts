@@ -50,7 +50,7 @@ export class Thread {
   }
 }
 
-/** Whoever does tasks: so many bunches at once. */
+/** Workers, and how many batches they run in parallel. */
 export interface Workers {
   readonly width: number;
   ask(task: Task, bunch: Item[]): Promise<Outcome[]>;

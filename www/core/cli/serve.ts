@@ -160,7 +160,7 @@ async function bodyOf(
     }
   } catch (thrown) {
     if (thrown instanceof HTTPException) throw thrown;
-    // Whoever sent it has gone.
+    // The client has gone.
     throw refused(400, "the body did not come to its end");
   } finally {
     clearTimeout(late);
@@ -228,7 +228,7 @@ export class Service {
         // A body is waited for where it is read: jobs by the line may come as long as there are some.
         requestTimeout: 0,
         headersTimeout: limits.wait,
-        // Node looks for requests that do not come only so often, by itself every 30 s.
+        // Interval in which Node looks for requests that do not arrive; its default is 30 s.
         connectionsCheckingInterval: Math.max(limits.wait / 10, 100),
       },
     }) as Server;
@@ -330,7 +330,7 @@ export class Service {
         );
         return this.answer(c, route, text);
       });
-      // A job in the address, so that what stands between may keep the answer.
+      // A job in the address, so that what is between may keep the answer.
       if (route.takes === "job")
         app.get(route.path, async (c) => {
           const job = c.req.query("job");

@@ -288,7 +288,7 @@ let judging = false;
 for (const stream of [process.stdout, process.stderr])
   stream.on("error", (error: NodeJS.ErrnoException) => {
     if (stream === process.stderr) process.exit(2);
-    // Whoever reads has enough, as in `| head -1`: no word of it.
+    // The reader has enough, as in `| head -1`: that is no error.
     if (error.code === "EPIPE") process.exit(judging ? 141 : 0);
     refuse(error.message, json);
   });

@@ -31,7 +31,7 @@ export interface Verified {
 
 /** So many lines that differ are listed. */
 const LISTED = 5;
-/** What every version writes by itself. */
+/** Lines that every version writes. */
 const STAMP = /Made by Touchpath |Blocks below: |^\s*$/i;
 
 const linesOf = (text: string) =>

@@ -61,7 +61,7 @@ impl Tail {
         &self.end
     }
 
-    /// What runs the end of the program again; none where the program never came to its results.
+    /// What runs the end of the program again; `None` if the program never came to its results.
     pub fn ending<'s, 't>(&'s self, script: &'s Script<'t>, run: Run) -> Option<Endings<'s, 't>> {
         let values = self.values.as_ref().filter(|_| self.begun)?;
         let mut machine = Machine::new(script, run);

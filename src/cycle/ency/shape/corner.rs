@@ -70,7 +70,7 @@ pub struct Corner {
     pub counts: [usize; 2],
     /// From touch to touch, mm.
     pub steps: [f64; 2],
-    /// From the corner to the first touch, mm; none where it is the foot of the start.
+    /// From the corner to the first touch, mm; `None` if it is the foot of the start.
     pub distances: Option<[f64; 2]>,
 }
 
@@ -258,7 +258,7 @@ impl Probed for Corner {
         if !self.internal || !checker.is_clean(&paths) {
             return;
         }
-        // The first touch of a wall has its foot `first` from the corner, and the ball in contact there stands
+        // The first touch of a wall has its foot `first` from the corner, and the ball in contact there is
         // c_other + (c − r)·cos A from the other wall.
         let cos = self.angle.signed().to_radians().cos();
         let (sides, _) = self.sides();

@@ -235,7 +235,7 @@ pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
     }
 }
 
-/// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself stands in the way.
+/// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself is in the way.
 pub fn level_rules(
     checker: &mut Checker,
     setup: &Setup,

@@ -18,7 +18,7 @@ use crate::text::{Text, text, words};
 pub struct Side {
     /// From wall to wall, mm.
     pub width: f64,
-    /// From the wall to the ball centre where a touch begins, mm; none where touches begin in the middle.
+    /// From the wall to the ball centre where a touch begins, mm; `None` if touches begin in the middle.
     pub clearance: Option<f64>,
 }
 
@@ -297,7 +297,7 @@ impl Probed for Pairs {
     }
 
     /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A
-    /// single pair says nothing of the place along its walls: there the nominal one stands.
+    /// single pair says nothing of the place along its walls: there the nominal one is.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let plane = on.setup.plane;
         let [a, o, w] = plane.axes();
@@ -359,7 +359,7 @@ impl Probed for Pairs {
             return f.finish(Some(datum));
         }
         let (along, width, u) = pair(0, ["width", "middle"]);
-        // Along the walls the middle stands where it nominally is.
+        // Along the walls the middle is where it nominally is.
         let across = (-along.1, along.0);
         let rest = origin[a] * across.0 + origin[o] * across.1;
         let place = |name: &'static str,
@@ -421,7 +421,7 @@ impl Probed for Pairs {
         let widths: Vec<f64> = self.sides.iter().map(|s| s.width).collect();
         // A single pair is drawn long enough to be seen.
         let half = crate::num::within(widths[0] / 2.0, 10.0, 40.0);
-        // A wall of a rectangle goes from one wall of the other pair to the other one, wherever it is touched.
+        // A wall of a rectangle goes from one wall of the other pair to the other one, at any touch point.
         let reach = |touch: &Touch, along: Vec3, k: usize| {
             let meets = |other: &Touch| {
                 (other.point - touch.point).dot(other.vector) / along.dot(other.vector)

@@ -50,7 +50,7 @@ pub struct Circle {
     pub depth: f64,
     /// How far above the top side the ball crosses, or goes in; none is not checked.
     pub top: Option<f64>,
-    /// From the surface to the ball centre where a touch begins; none where touches begin in the middle.
+    /// From the surface to the ball centre where a touch begins; `None` if touches begin in the middle.
     pub clearance: Option<f64>,
 }
 
@@ -80,7 +80,7 @@ impl Circle {
     }
 }
 
-/// Whether these outward directions are those of three touches or more that stand apart: fewer give no circle.
+/// Whether these outward directions are those of three touches or more that are apart: fewer give no circle.
 fn gives_circle(directions: impl Iterator<Item = Vec3>) -> bool {
     let mut apart: Vec<Vec3> = Vec::new();
     for direction in directions {

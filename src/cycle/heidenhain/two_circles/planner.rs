@@ -9,7 +9,7 @@ use crate::path::{Arc, Feed, Move, Setup, Touch, Tracer};
 /// Arcs whose radius or chord is smaller than this, in mm, are straight moves.
 const SMALLEST_ARC: f64 = 0.02;
 
-/// One place where the ball stands before a touch.
+/// A start point of the ball before a touch.
 struct Stand {
     /// Ball centre before the touch, at measuring height.
     at: Vec3,

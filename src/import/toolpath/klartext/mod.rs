@@ -175,7 +175,7 @@ impl Klartext {
         reader.lose(Skip::Words, reader.line);
     }
 
-    /// A cycle of the control's own: its parameters are set, and where it ends is not known.
+    /// A native cycle: its parameters are set, and where it ends is not known.
     fn cycle(&mut self, name: &str, text: &str, reader: &mut Reader) {
         self.assign_all(text);
         self.notes_clearance(text, reader);

@@ -1,4 +1,4 @@
-//! The moves of a HEIDENHAIN's probing cycles, as far as they are known: those that the writer uses.
+//! Moves of HEIDENHAIN's probing cycles: those that the writer uses.
 //!
 //! Of the touch probe table nothing is known: SET_UP is taken for 0, and a touch for one that searches 10 mm behind the contact [I].
 

@@ -432,7 +432,7 @@ impl Index {
         &self.spans[at]
     }
 
-    /// Whether the way from a place leads to an alarm, wherever else it may branch. A planned end may be that of the whole program, which a jump only
+    /// Whether the way from a place leads to an alarm, whatever branches it has. A planned end may be that of the whole program, which a jump only
     /// comes to sooner.
     pub fn leads_out(&self, from: Place) -> bool {
         self.leads_out_within(from.line, &mut 200, 0)

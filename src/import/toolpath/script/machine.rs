@@ -20,10 +20,10 @@ use crate::import::toolpath::system::System;
 use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::Variable;
 
-/// So many blocks are run: whoever repeats more has an end.
+/// Bound on the blocks that are run.
 const MOST_BLOCKS: usize = 500_000;
 
-/// So many structures may be open: whoever jumps out of more has an end.
+/// Bound on the structures that are open at one time.
 const MOST_OPEN: usize = 5000;
 
 /// A line that is never reached.
@@ -656,7 +656,7 @@ impl Machine {
     }
 
     /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or what an unknown condition leaves. Each call ends
-    /// those up to the first of these; none where there is nothing more to end.
+    /// those up to the first of these; `None` if there is nothing more to end.
     pub fn dedents(&mut self, line: usize) -> Option<Step> {
         while let Some(open) = self.open.last().copied() {
             let span = open.span();

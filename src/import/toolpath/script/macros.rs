@@ -285,7 +285,7 @@ impl Machine {
         Some(Step::Leave(to.unwrap_or(back)))
     }
 
-    /// None where the text has no such program, it is called more than once, or its arguments are not understood.
+    /// `None` if the text has no such program, it is called more than once, or its arguments are not understood.
     fn macro_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
         let mut arguments: Vec<(Key, Value)> = Vec::new();
         let mut program = None;
@@ -362,7 +362,7 @@ impl Machine {
             self.variables.set(key, value);
         }
         match out[begin..].trim_ascii().is_empty() {
-            // What divides by zero is reported by itself.
+            // A division by zero has a finding of its own.
             true if assigns && (known || self.variables.has_divided()) => Step::Done,
             // The reader reports an assignment of an unknown value. It would take `@` for a polar radius.
             true if assigns && self.variables.grammar.language == Language::Lnc => {

@@ -74,7 +74,7 @@ impl Level {
     }
 }
 
-/// The variables of a program, as far as it sets them.
+/// The variables that a program sets.
 #[derive(Debug)]
 pub struct Variables {
     pub grammar: &'static Grammar,
@@ -216,7 +216,7 @@ impl Variables {
         }
     }
 
-    /// Whether the control changes it by itself.
+    /// Whether the control changes it without a block.
     fn is_system(&self, key: &Key) -> bool {
         match (self.grammar.language, key) {
             (_, Key::Unknown) => true,
