@@ -161,7 +161,8 @@ export abstract class Document extends Output {
     if (path === "control.workOffset") this.lost = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
-    this.limitFollows ||= !fixed.has(SIZE_LIMIT) && this.isLimitUsual(path);
+    this.limitFollows ||=
+      !fixed.has(SIZE_LIMIT) && this.changesLimit(path, value);
     putAt(this.draft, path, value);
     if (typeof value === "number") this.untolerate(path);
     if (path === SIZE_LIMIT) this.limitFollows = false;
@@ -172,11 +173,13 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** Whether the size limit follows the size at this path: nobody entered a limit, and the present one is the usual one. */
-  private isLimitUsual(path: string): boolean {
+  /** Whether a new value of the field at this path may change the size limit: the value or a size before it has a tolerance, and nobody entered a limit. */
+  private changesLimit(path: string, value: unknown): boolean {
     if (this.given === null || this.given.has(SIZE_LIMIT)) return false;
     if (!path.startsWith("cycle.") || !this.fieldAt(path)?.size) return false;
-    return alike(this.get(SIZE_LIMIT), this.usualSizeLimit());
+    const usual = this.usualSizeLimit();
+    if (!alike(this.get(SIZE_LIMIT), usual)) return false;
+    return typeof value === "string" || usual !== this.leastSizeLimit();
   }
 
   protected override get toPlan(): Draft {
@@ -186,9 +189,13 @@ export abstract class Document extends Output {
     return job;
   }
 
-  /** The size limit of a job that gives none: the usual one, plus the largest deviation that a tolerance of the plan allows. */
+  /** The size limit of a new job. */
+  private leastSizeLimit(): number {
+    return Number(this.begins(this.fieldAt(SIZE_LIMIT) as FieldEntry));
+  }
+
+  /** The size limit that follows from the plan: that of a new job, plus the largest deviation that a tolerance allows. */
   private usualSizeLimit(): number {
-    const usual = Number(this.begins(this.fieldAt(SIZE_LIMIT) as FieldEntry));
     const sizes = this.catalog.cycles.flatMap(({ fields }) =>
       fields.filter(({ size, unit }) => size && unit === "length"),
     );
@@ -197,15 +204,15 @@ export abstract class Document extends Output {
       .flatMap(({ limits, nominal }) =>
         (limits ?? []).map((limit) => Math.abs(limit - (nominal ?? limit))),
       );
-    return tidy(usual + Math.max(0, ...reach));
+    return tidy(this.leastSizeLimit() + Math.max(0, ...reach));
   }
 
-  /** Puts the size limit that follows from the plan into the job. Without a plan the job keeps the one that it has. */
+  /** Puts the size limit that follows from the plan into the job, and plans the job with it. Without a plan the job keeps its limit. */
   private followLimit(): void {
     if (!this.limitFollows || this.stale) return;
     this.limitFollows = false;
     putAt(this.draft, SIZE_LIMIT, this.usualSizeLimit());
-    this.shown = structuredClone(this.job);
+    this.compute();
   }
 
   /** Removes the action and wear correction of a size that no longer has a tolerance. */

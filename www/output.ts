@@ -87,7 +87,7 @@ export abstract class Output extends Entries {
   /** Whether the state is stored in this browser. */
   protected abstract readonly local: boolean;
 
-  /** The job as it is planned: without what follows from its plan. */
+  /** The job to plan: without values that follow from its plan. */
   protected get toPlan(): Draft {
     return this.job;
   }

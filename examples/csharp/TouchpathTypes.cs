@@ -33,7 +33,7 @@ namespace Touchpath
         public CodeGroup[] CodeGroups { get; set; }
         /// <summary>The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.</summary>
         public double RapidRate { get; set; }
-        /// <summary>The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.</summary>
+        /// <summary>The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry.</summary>
         public double MaxTouches { get; set; }
         /// <summary>The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).</summary>
         public double LongestText { get; set; }
@@ -215,7 +215,7 @@ namespace Touchpath
         public string Feed { get; set; }
         /// <summary>`position`, `touch` or `back`.</summary>
         public string Kind { get; set; }
-        /// <summary>Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where cycles of the control's own make it: which line makes it, from that of the first move on.</summary>
+        /// <summary>Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on.</summary>
         public double Step { get; set; }
         /// <summary>Index of the touch that it makes or comes back from; null for positioning.</summary>
         public double? Touch { get; set; }
@@ -238,7 +238,7 @@ namespace Touchpath
         public string Meaning { get; set; }
         /// <summary>Path of the job's field it comes from.</summary>
         public string Field { get; set; }
-        /// <summary>Index of the touch it comes from; null where it is of the whole cycle.</summary>
+        /// <summary>Index of the touch it comes from; null if it concerns the whole cycle.</summary>
         public double? Touch { get; set; }
         /// <summary>Index of its cycle in a set-up; 0 for a job of one cycle.</summary>
         public double Cycle { get; set; }
@@ -319,9 +319,9 @@ namespace Touchpath
         public string Extension { get; set; }
         /// <summary>Its lines, each ended by a line feed.</summary>
         public string Text { get; set; }
-        /// <summary>For each move the 0-based line that makes it; −1 where the control's own cycle makes it.</summary>
+        /// <summary>For each move the 0-based line that makes it; −1 where the native cycle makes it.</summary>
         public double[] MoveLines { get; set; }
-        /// <summary>What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only.</summary>
+        /// <summary>What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only.</summary>
         public string[] Writes { get; set; }
         /// <summary>What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.</summary>
         public string Does { get; set; }
@@ -329,7 +329,7 @@ namespace Touchpath
         public object[] Said { get; set; }
         /// <summary>What was proven of it; null in the form `cycle`.</summary>
         public ProofRow Proof { get; set; }
-        /// <summary>Whether the moves of the plan are those that cycles of the control's own make, which the program calls.</summary>
+        /// <summary>Whether the moves of the plan are those that native cycles make, which the program calls.</summary>
         public bool Own { get; set; }
     }
 
@@ -362,11 +362,11 @@ namespace Touchpath
         public string Label { get; set; }
         /// <summary>What its results are, in English.</summary>
         public string Says { get; set; }
-        /// <summary>Whether it is of places, by the names of cycles and relations that have one; else of single results.</summary>
+        /// <summary>Whether its operands are positions, named by their cycles and relations; else single results.</summary>
         public bool Places { get; set; }
-        /// <summary>The fewest that it is of.</summary>
+        /// <summary>The fewest operands.</summary>
         public double Least { get; set; }
-        /// <summary>The most that it is of; null where it takes any number.</summary>
+        /// <summary>The most operands; null if it takes any number.</summary>
         public double? Most { get; set; }
         /// <summary>The codes of its results; of angles `.angle` is added to the first.</summary>
         public string[] Results { get; set; }
@@ -481,7 +481,7 @@ namespace Touchpath
         public object[] Said { get; set; }
         /// <summary>The 0-based lines that break it.</summary>
         public double[] Lines { get; set; }
-        /// <summary>The 0-based lines that it was asked of, whether they keep or break it; those of the control's own cycle where that answers for it.</summary>
+        /// <summary>The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it.</summary>
         public double[] About { get; set; }
     }
 
@@ -519,13 +519,13 @@ namespace Touchpath
     {
         /// <summary>The value of `cycle.type`.</summary>
         public string Type { get; set; }
-        /// <summary>`moves`: plain moves and touches. `cycle`: the control's own cycle.</summary>
+        /// <summary>`moves`: plain moves and touches. `cycle`: the native cycle.</summary>
         public string Form { get; set; }
         /// <summary>Whether the control takes the cycle in this form.</summary>
         public bool Supported { get; set; }
         /// <summary>Why not; null where it does.</summary>
         public string Reason { get; set; }
-        /// <summary>Whether this cycle of the control's own corrects the active preset by itself, so that no work offset is chosen.</summary>
+        /// <summary>Whether this native cycle corrects the active preset, so that no work offset is chosen.</summary>
         public bool OwnPreset { get; set; }
     }
 

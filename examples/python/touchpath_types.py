@@ -39,7 +39,7 @@ class Catalog(TypedDict):
     codeGroups: list[CodeGroup]
     # The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
     rapidRate: float
-    # The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
+    # The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry.
     maxTouches: float
     # The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
     longestText: float
@@ -210,7 +210,7 @@ class Move(TypedDict):
     feed: Literal["approach", "longLink", "work", "retract", "return", "rapid"]
     # `position`, `touch` or `back`.
     kind: Literal["position", "touch", "back"]
-    # Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where cycles of the control's own make it: which line makes it, from that of the first move on.
+    # Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on.
     step: float
     # Index of the touch that it makes or comes back from; null for positioning.
     touch: float | None
@@ -232,7 +232,7 @@ class ParameterRow(TypedDict):
     meaning: str
     # Path of the job's field it comes from.
     field: str | None
-    # Index of the touch it comes from; null where it is of the whole cycle.
+    # Index of the touch it comes from; null if it concerns the whole cycle.
     touch: float | None
     # Index of its cycle in a set-up; 0 for a job of one cycle.
     cycle: float
@@ -309,9 +309,9 @@ class ProgramText(TypedDict):
     extension: str
     # Its lines, each ended by a line feed.
     text: str
-    # For each move the 0-based line that makes it; −1 where the control's own cycle makes it.
+    # For each move the 0-based line that makes it; −1 where the native cycle makes it.
     moveLines: list[float]
-    # What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only.
+    # What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only.
     writes: list[Literal["X", "Y", "Z", "rotation", "preset X", "preset Y", "preset Z", "basic rotation", "table offset"]]
     # What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
     does: str
@@ -319,7 +319,7 @@ class ProgramText(TypedDict):
     said: Said
     # What was proven of it; null in the form `cycle`.
     proof: ProofRow | None
-    # Whether the moves of the plan are those that cycles of the control's own make, which the program calls.
+    # Whether the moves of the plan are those that native cycles make, which the program calls.
     own: bool
 
 
@@ -349,11 +349,11 @@ class RelationEntry(TypedDict):
     label: str
     # What its results are, in English.
     says: str
-    # Whether it is of places, by the names of cycles and relations that have one; else of single results.
+    # Whether its operands are positions, named by their cycles and relations; else single results.
     places: bool
-    # The fewest that it is of.
+    # The fewest operands.
     least: float
-    # The most that it is of; null where it takes any number.
+    # The most operands; null if it takes any number.
     most: float | None
     # The codes of its results; of angles `.angle` is added to the first.
     results: list[ResultCode]
@@ -462,7 +462,7 @@ class SafetyRow(TypedDict):
     said: Said
     # The 0-based lines that break it.
     lines: list[float]
-    # The 0-based lines that it was asked of, whether they keep or break it; those of the control's own cycle where that answers for it.
+    # The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it.
     about: list[float]
 
 
@@ -497,13 +497,13 @@ class Series(TypedDict):
 class SupportEntry(TypedDict):
     # The value of `cycle.type`.
     type: Literal["internal-rectangle-protected", "double-wall-internal-corner", "probing-two-circles", "surface", "wall-angle", "hole", "hole-protected", "boss", "internal-rectangle", "external-rectangle", "web", "web-three-points", "groove", "groove-protected", "double-wall-external-corner", "triple-wall-internal-corner", "triple-wall-external-corner", "probe-on-off", "nc-action"]
-    # `moves`: plain moves and touches. `cycle`: the control's own cycle.
+    # `moves`: plain moves and touches. `cycle`: the native cycle.
     form: Literal["moves", "cycle"]
     # Whether the control takes the cycle in this form.
     supported: bool
     # Why not; null where it does.
     reason: str | None
-    # Whether this cycle of the control's own corrects the active preset by itself, so that no work offset is chosen.
+    # Whether this native cycle corrects the active preset, so that no work offset is chosen.
     ownPreset: bool
 
 
@@ -589,7 +589,7 @@ ResultCode: TypeAlias = Literal["center.x", "center.y", "diameter", "residual", 
 RuleName: TypeAlias = Literal["modes-stated", "spindle-off", "probe-asked", "probe-free-again", "low-start-goes-up", "positioning-watched", "contact-lifts", "missed-touch-stops", "missed-touch-lifts", "feeds-stated", "no-low-rapid", "offset-after-touches", "one-write", "plausible-before-write", "tolerance-obeyed", "place-within-limit", "restart-writes-nothing", "ends-above"]
 
 
-# A sentence as its English template, then what stands in place of the names in its braces, in the order in which these first appear: a string that is the same in every language (a number with its unit, a code, what a user typed), or again something said.
+# A sentence as its English template, then what is in place of the names in its braces, in the order in which these first appear: a string that is the same in every language (a number with its unit, a code, what a user typed), or again something said.
 Said: TypeAlias = list[str | Any]
 
 

@@ -1,6 +1,7 @@
 // Sizes and results with a tolerance: what a program judges by, what it is called, and what other units make of it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { plan } from "touchpath";
 import { program, read, Store, said, setUp, type } from "./state.mjs";
 
 setUp();
@@ -62,6 +63,29 @@ test("a tolerance wider than the usual size limit was refused: the limit follows
   assert.equal(limit(), 1.2);
   type(store, "cycle.diameter", "25 ±1.4");
   assert.match(store.withheld, /Enter a larger limit/);
+});
+
+test("the program has the size limit of the job, also in inch, where a limit of 0.5 mm is no number to type", () => {
+  for (const [
+    units,
+    typed,
+    limit,
+  ] of /** @type {[string, string[], string][]} */ ([
+    ["mm", ["24.5"], "0.5"],
+    ["mm", ["25 ±0.8"], "1.3"],
+    ["inch", ["1.5"], "0.02"],
+    ["inch", ["1.5 ±0.03"], "0.05"],
+    ["inch", ["1.5 ±0.03", "1.5"], "0.02"],
+  ])) {
+    const store = new Store();
+    store.choose("hole");
+    store.setUnits(units);
+    for (const text of typed) type(store, "cycle.diameter", text);
+    assert.equal(String(store.get("limits.size")), limit);
+    assert.ok(program(store).includes(` GT ${limit}]`));
+    assert.equal(store.plan.program.text, plan(store.job).program.text);
+    assert.deepEqual(store.shown, store.job);
+  }
 });
 
 test("a size limit that the page around locks, or a job states, follows no tolerance", () => {

@@ -418,7 +418,7 @@ export interface ParameterRow {
   meaning: string;
   /** Path of the job's field it comes from. */
   field: string | null;
-  /** Index of the touch it comes from; null where it is of the whole cycle. */
+  /** Index of the touch it comes from; null if it concerns the whole cycle. */
   touch: number | null;
   /** Index of its cycle in a set-up; 0 for a job of one cycle. */
   cycle: number;
@@ -504,7 +504,7 @@ export interface ProgramText {
   text: string;
   /** For each move the 0-based line that makes it; −1 where the native cycle makes it. */
   moveLines: number[];
-  /** What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
+  /** What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
   writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
   /** What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
   does: string;
@@ -706,11 +706,11 @@ export interface RelationEntry {
   label: string;
   /** What its results are, in English. */
   says: string;
-  /** Whether it is of places, by the names of cycles and relations that have one; else of single results. */
+  /** Whether its operands are positions, named by their cycles and relations; else single results. */
   places: boolean;
-  /** The fewest that it is of. */
+  /** The fewest operands. */
   least: number;
-  /** The most that it is of; null where it takes any number. */
+  /** The most operands; null if it takes any number. */
   most: number | null;
   /** The codes of its results; of angles `.angle` is added to the first. */
   results: ResultCode[];
@@ -726,7 +726,7 @@ export interface SupportEntry {
   supported: boolean;
   /** Why not; null where it does. */
   reason: string | null;
-  /** Whether this native cycle corrects the active preset by itself, so that no work offset is chosen. */
+  /** Whether this native cycle corrects the active preset, so that no work offset is chosen. */
   ownPreset: boolean;
 }
 
@@ -796,7 +796,7 @@ export interface Catalog {
   codeGroups: CodeGroup[];
   /** The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them. */
   rapidRate: number;
-  /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry. */
+  /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry. */
   maxTouches: number;
   /** The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units). */
   longestText: number;
