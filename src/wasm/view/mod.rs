@@ -378,7 +378,7 @@ impl View {
     }
 
     /// The job that is shown as an SVG, looked at from the same side, with the names of its dimensions as they are shown; deviations as large as they
-    /// are. `None` if no job is shown.
+    /// are. `undefined` if no job is shown.
     pub fn svg(&self, title: &str) -> Option<String> {
         let held = self.held()?;
         let picture = held
