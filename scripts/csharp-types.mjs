@@ -18,7 +18,7 @@ const PLAIN = /** @type {Record<string, string>} */ ({
  * The class, or the type, of a part of the schema; what can be several types, or is made of itself, is an object.
  * @param {Schema} part
  * @param {Record<string, Schema>} all
- * @param {string[]} inside the definitions that it is in
+ * @param {string[]} inside the names of the definitions around it
  * @returns {string}
  */
 function typeOf(part, all, inside = []) {

@@ -85,7 +85,7 @@ export function rooms(/** @type {Buffer} */ wasm) {
       /touchpath\W+([a-z_]+)\W+([a-z_0-9]+)/.exec(
         name.replaceAll("..", "::"),
       ) ?? [];
-    // A control is a folder; what is beside the folders is of all of them.
+    // A control is a folder; files beside the folders belong to all of them.
     const named =
       room === "control" && FOLDERS.has(inner) ? `control::${inner}` : room;
     sums.set(named, (sums.get(named) ?? 0) + size);

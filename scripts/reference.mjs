@@ -255,7 +255,7 @@ ${types("protocol.d.ts")}
 ${help.replace(/^touchpath \S+:/, "touchpath:")}\`\`\`
 `;
 
-// Every name that can be imported is in the page: declared, or as code.
+// The page contains every name that can be imported: declared, or as code.
 const entries = [
   "node.d.ts",
   "browser.d.ts",

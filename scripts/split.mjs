@@ -79,7 +79,7 @@ async function profile(/** @type {Buffer} */ bytes) {
   return new Set(names.filter((_, index) => ran[index] === 1));
 }
 
-/** What is in each slot of the table. */
+/** The function in each slot of the table. */
 function slotsOf(/** @type {Binaryen} */ b, /** @type {any} */ module) {
   /** @type {Map<number, string>} */
   const slots = new Map();
@@ -135,7 +135,7 @@ function withoutData(/** @type {Buffer} */ bytes) {
   return Buffer.concat(parts);
 }
 
-/** A call of what is in a slot, with the function's own parameters. */
+/** A call of the function in a slot, with the function's own parameters. */
 const through = (
   /** @type {Binaryen} */ b,
   /** @type {any} */ module,

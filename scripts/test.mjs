@@ -172,7 +172,7 @@ const native = ["test", "--locked"];
 
 /**
  * Every stage; of those that may begin the first begins. The module comes first, for the longest tests are those of the page, and while a page waits compilers
- * have a core. What shares a folder of cargo's is one after the other.
+ * have a core. Stages that share a folder of cargo run one after the other.
  * @type {Stage[]}
  */
 const TESTS = [

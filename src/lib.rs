@@ -14,7 +14,7 @@
 //! | [`form`] | values, findings and the list of their codes |
 //! | [`text`](mod@text) | what is said, as templates with their values, for other languages |
 //!
-//! That is all of it: every public name is in `tests/snapshots/public.txt`, and changes only with a word in the changelog. The rest (cycles,
+//! Every public name is listed in `tests/snapshots/public.txt`; a change is noted in the changelog. The rest (cycles,
 //! controls, paths, formulas, the virtual part, pictures, geometry) is the crate's own, and its tests are modules of the crate.
 //!
 //! Inside the crate everything is millimetres and radians (degrees where a name says so, and in formulas, as controls take

@@ -32,7 +32,7 @@ macro_rules! text {
 }
 pub(crate) use text;
 
-/// A `&'static str` that is shown as it is: words, like a template without names. It marks them for the lists of words.
+/// A `&'static str` that is shown unchanged: words, like a template without names. It marks them for the lists of words.
 macro_rules! words {
     ($words:literal) => {
         $words
@@ -142,7 +142,7 @@ impl fmt::Display for Text {
     }
 }
 
-/// As a list: the template, then what is in place of its names, each a string or such a list itself.
+/// As a list: the template, then the values of its names, each a string or such a list.
 impl Serialize for Text {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(Some(1 + self.values.len()))?;

@@ -18,7 +18,7 @@ export type Form = PostEntry["cycles"][number]["form"];
 
 /** Looks up the job's own entries of the catalog. */
 export abstract class Entries extends Phrases {
-  /** The job as it is in the form. */
+  /** The job in the form. */
   abstract draft: Draft;
 
   /** The rules of the host page. */

@@ -88,7 +88,7 @@ const MOST_NAME = 12;
 export class Features {
   /** All cycles in their order; empty for a job of one cycle. */
   all: Feature[] = [];
-  /** Which of them is in the form. */
+  /** Index of the one in the form. */
   hand = 0;
   /** Height between the cycles; null is as high as the highest begins and ends. */
   clear: number | null = null;

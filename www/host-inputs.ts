@@ -27,7 +27,7 @@ export interface Asked {
   units?: Units;
 }
 
-/** Where in the job an input is. */
+/** Path of an input in the job. */
 const PATHS: Readonly<Record<string, string>> = {
   cycle: "cycle.type",
   post: "control.post",

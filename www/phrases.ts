@@ -34,7 +34,7 @@ export class Phrases extends EventTarget {
     return say(said, this.words);
   }
 
-  /** A text of the page in its language; the values are in place of the names in its braces. */
+  /** A text of the page in its language; the values replace the names in its braces. */
   t(template: string, ...values: (string | number | Said)[]): string {
     return this.say([
       template,

@@ -87,7 +87,7 @@ export class Rules {
       : (this.config?.allow?.units?.[0] ?? units);
   }
 
-  /** A new job with everything that the rules say of its cycle and of what is around it. A control that is asked for stays. */
+  /** A new job with everything that the rules say of its cycle and of the sections around it. A control that is asked for stays. */
   laid(job: Draft, asked = false): Draft {
     if (!this.config) return job;
     const { type } = job.cycle as Draft;

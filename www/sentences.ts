@@ -124,7 +124,7 @@ export function clockOf(seconds: number): string {
 /** Abscissa, ordinate and tool axis of each plane. */
 export const AXES_OF = { G17: "XYZ", G18: "ZXY", G19: "YZX" } as const;
 
-/** The name of a result with an axis, by what is before the axis in its code. */
+/** The name of a result with an axis, by the part of its code before the axis. */
 const NAMED: Record<string, string> = {
   center: w("Centre {axis}"),
   corner: w("Corner {axis}"),

@@ -1,4 +1,4 @@
-// The languages of the page: their words are loaded when they are wanted, and English is what is in the sources.
+// The languages of the page: their words are loaded when they are wanted, and the sources contain the English texts.
 import type { Catalog, FieldEntry, Words } from "./core/types.js";
 
 /** The languages that have words, each by its own name. */

@@ -33,7 +33,7 @@ namespace Touchpath
         public CodeGroup[] CodeGroups { get; set; }
         /// <summary>The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.</summary>
         public double RapidRate { get; set; }
-        /// <summary>The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry.</summary>
+        /// <summary>The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number.</summary>
         public double MaxTouches { get; set; }
         /// <summary>The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).</summary>
         public double LongestText { get; set; }

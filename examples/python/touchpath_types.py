@@ -39,7 +39,7 @@ class Catalog(TypedDict):
     codeGroups: list[CodeGroup]
     # The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
     rapidRate: float
-    # The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry.
+    # The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number.
     maxTouches: float
     # The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
     longestText: float
@@ -589,7 +589,7 @@ ResultCode: TypeAlias = Literal["center.x", "center.y", "diameter", "residual", 
 RuleName: TypeAlias = Literal["modes-stated", "spindle-off", "probe-asked", "probe-free-again", "low-start-goes-up", "positioning-watched", "contact-lifts", "missed-touch-stops", "missed-touch-lifts", "feeds-stated", "no-low-rapid", "offset-after-touches", "one-write", "plausible-before-write", "tolerance-obeyed", "place-within-limit", "restart-writes-nothing", "ends-above"]
 
 
-# A sentence as its English template, then what is in place of the names in its braces, in the order in which these first appear: a string that is the same in every language (a number with its unit, a code, what a user typed), or again something said.
+# A sentence as its English template, then the values of the names in its braces, in the order in which these first appear: a string that is the same in every language (a number with its unit, a code, what a user typed), or again something said.
 Said: TypeAlias = list[str | Any]
 
 

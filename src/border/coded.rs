@@ -1,6 +1,6 @@
 //! A value as JavaScript hands it over. `www/core/coded.ts` is the other half, which walks whatever a caller has.
 //!
-//! Each value is a tag and what belongs to it: see [`Tag`]. All texts are one after the other, each with a line feed after it, so that
+//! Each value is a tag and what belongs to it: see [`Tag`]. The texts follow each other, each ended by a line feed, so that
 //! halves of a character do not join; what belongs to a text is its length in UTF-16 units, since that is how JavaScript counts.
 
 use crate::form::Value;

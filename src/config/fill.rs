@@ -22,7 +22,7 @@ pub fn fill(config: &Config, job: &Value) -> Value {
         _ => job.get("cycle"),
     };
     let def = first.and_then(type_of);
-    // What is around the cycle is filled in whatever it is.
+    // The sections around the cycle are filled in for every cycle.
     let Value::Map(values) = values(config, def.unwrap_or(cycle::CYCLES[0]), units) else {
         return job;
     };

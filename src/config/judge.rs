@@ -69,7 +69,7 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
     checker.findings()
 }
 
-/// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether what is around the cycle is judged, too.
+/// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether the sections around the cycle are judged, too.
 fn judge_single(
     config: &Config,
     job: &Value,

@@ -47,7 +47,7 @@ pub fn entries<'v>(
     }
 }
 
-/// The entries of a list, and reports those that `one` does not take. `known` says what may be there.
+/// Reads the entries of a list and reports those that `one` rejects. `known` names the valid entries.
 pub fn list_of<T>(
     checker: &mut Checker,
     value: Option<&Value>,

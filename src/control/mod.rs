@@ -533,7 +533,7 @@ fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// What the header says of the angle at which the spindle is.
+/// Header line about the spindle angle.
 fn orientation_line(request: &Request<'_>) -> String {
     match request.orients() {
         Some(angle) => {

@@ -82,9 +82,9 @@ pub struct StoredCoordinate {
     pub variable: String,
     /// What the control has it in after a touch.
     pub source: String,
-    /// What is around a sum that is divided.
+    /// Brackets around a sum that is divided.
     pub group: (&'static str, &'static str),
-    /// What is around a value of more than one term.
+    /// Brackets around a value of more than one term.
     pub whole: (&'static str, &'static str),
     /// A comment after the block.
     pub comment: String,

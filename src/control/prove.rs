@@ -63,7 +63,7 @@ impl Fault {
     }
 }
 
-/// How far above and beside its first place a stylus is taken to be, mm: along abscissa, ordinate and tool axis.
+/// Assumed start of the stylus above and beside its first position, mm: along abscissa, ordinate and tool axis.
 const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 
 /// A program that was read and followed.
@@ -227,7 +227,7 @@ pub fn follow<'t>(
         .map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
-    // A job that says where the stylus is has its program begin there.
+    // The program of a job with a start position begins there.
     let stated = request.path.start.map(|start| expected.written(start));
     let start = stated.unwrap_or_else(|| away(AWAY[2]));
     let highest = expected.place(request.highest())[request.plane.axes()[2]] + 2.0 * expected.digit;
@@ -294,7 +294,7 @@ pub fn follow<'t>(
     })
 }
 
-/// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves are in.
+/// Proves that a followed program is the path of the request. `lines`: the line of each move, as the writer reported it.
 pub fn prove(
     request: &Request<'_>,
     followed: &Followed<'_>,

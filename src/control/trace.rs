@@ -109,7 +109,7 @@ pub enum Kind {
 pub enum Ending {
     /// The program continues, or the move does not probe.
     GoesOn,
-    /// The control itself stops with an alarm where the ball is.
+    /// The control stops with an alarm at the present position.
     ControlStops,
     /// The program stops itself with an alarm.
     Exit {

@@ -51,7 +51,7 @@ pub struct CycleDef {
     pub title: &'static str,
     /// What it measures, in a sentence, as a setter says it.
     pub says: &'static str,
-    /// What else it is looked for by: words that are in neither its name nor its sentence.
+    /// More search words: those in neither its name nor its sentence.
     pub also: &'static str,
     /// What the name of a job begins with that has none of its own.
     pub name: &'static str,

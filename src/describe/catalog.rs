@@ -32,7 +32,7 @@ pub struct Catalog {
     pub code_groups: Vec<CodeGroup>,
     /// The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
     pub rapid_rate: f64,
-    /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry.
+    /// The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number.
     pub max_touches: usize,
     /// The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
     pub longest_text: usize,

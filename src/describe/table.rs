@@ -82,7 +82,7 @@ pub fn export_table_with_calls(
     }
 }
 
-/// A value as it is in a dump: numbers plainly and in full, text as it is.
+/// A value as a dump shows it: numbers plainly and in full, text unchanged.
 fn value(row: &ParameterRow) -> String {
     match &row.value {
         ParameterValue::Whole(n) => n.to_string(),

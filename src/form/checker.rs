@@ -419,7 +419,7 @@ impl<'a, 'c> Section<'a, 'c> {
         Some(parsed.scaled(scale))
     }
 
-    /// The number under the field's key, or `None` where it is null, or its default.
+    /// The number under the field's key; `None` for null; the default if it is missing.
     fn number_or_null(&mut self, field: &'static Field) -> Option<f64> {
         let stand_in = match field.default {
             Default::Number(x) => Some(x),
@@ -508,7 +508,7 @@ impl Checked for [Nominal; 3] {
     }
 }
 
-/// The point that is where the job says nothing.
+/// Default of a point.
 fn default_point(field: &Field) -> [f64; 3] {
     match field.default {
         Default::Point(point) => point,
@@ -766,7 +766,7 @@ fn not_read(text: &str, field: &Field) -> Text {
     text!("{label} must be a number, not \"{text}\"", label, shown)
 }
 
-/// A user's text, short and without control characters, fit to be in a message.
+/// A user's text, short and without control characters, fit for a message.
 pub(crate) fn printable(text: &str) -> String {
     let mut shown: String = text
         .chars()

@@ -198,7 +198,7 @@ impl Draft {
         }
     }
 
-    /// Two expressions and what is between them. What is plain is folded (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as
+    /// Two expressions and their operator. Constants are folded (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as
     /// by hand.
     fn binary(&self, op: Op, left: NodeId, right: NodeId) -> Expr<'_> {
         let is = |node: Node, number: f64| matches!(node, Node::Number(x) | Node::Length(x) if x == number);
@@ -342,7 +342,7 @@ mod tests {
             (f.length(2.0) + f.length(-3.0), "Length(-1.0)"),
             (f.number(0.0) - f.length(-3.0), "Length(3.0)"),
             (f.number(2.0) * f.number(-3.0), "Number(-6.0)"),
-            // What is not plain is written as it is, for a reader of the program.
+            // Other expressions are written unchanged, for a reader of the program.
             (
                 f.number(2.0) - f.number(3.0),
                 "(Subtract Number(2.0) Number(3.0))",

@@ -255,7 +255,7 @@ impl Run<'_> {
         }
     }
 
-    /// Puts f of two operands into `out`. Most operands have a name: they are read where they are.
+    /// Puts f of two operands into `out`. Most operands have a name: they are read in place.
     fn two(&self, left: NodeId, right: NodeId, out: &mut Dual, f: impl Fn(f64, f64) -> Joined) {
         match (self.named(left), self.named(right)) {
             (Some(a), Some(b)) => *out = Dual::of(a, b, f(a.value, b.value)),

@@ -410,7 +410,7 @@ impl Formula {
         self.written(draft, &variables)
     }
 
-    /// What a draft made of it, where its assignments are there now.
+    /// Result of the draft, with the new positions of its assignments.
     fn written(self, draft: Draft, variables: &[Variable]) -> Formula {
         debug_assert!(
             self.cycles.is_empty(),

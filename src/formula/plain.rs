@@ -18,7 +18,7 @@ impl<'f> Source<'f> for Touches {
     }
 }
 
-/// Writes the assignments of a formula, after those of the touches and circles that they need. Where each of them is now.
+/// Writes the assignments of a formula, after those of the touches and circles that they need. Returns the new position of each.
 pub(super) fn write<'f>(
     formula: &Formula,
     draft: &'f Draft,

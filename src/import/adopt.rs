@@ -1,4 +1,4 @@
-//! A call of a native cycle as a job, where it is one of the documented cycles: from its arguments and from where the stylus is.
+//! A call of a native cycle as a job, where it is one of the documented cycles: from its arguments and the stylus position.
 //!
 //! What a call does not say has the form's default; the order of the touches is the documented cycle's, not the control's. That Renishaw's Q is counted by the ball's centre behind the nominal surface, so that the overtravel is Q
 //! and the ball's radius, and R from the ball's surface, follows from the macros [I].
@@ -19,7 +19,7 @@ pub(super) struct Called<'a> {
     pub post: Option<&'static str>,
     /// Names and values of its arguments; NaN is not known.
     pub arguments: &'a [(String, f64)],
-    /// Where the stylus is, in the program's units; NaN is not known.
+    /// Position of the stylus in the program's units; NaN is not known.
     pub place: [f64; 3],
     pub metric: bool,
 }
@@ -100,7 +100,7 @@ impl Called<'_> {
         let protected = self.get("R").is_some_and(|r| r < 0.0);
         let (inside, lifts) = (beside.is_none() || protected, protected);
         let mut clearance = self.get("R").map_or(5.0 * radius / 3.0, f64::abs) + radius;
-        // The touches are where the stylus is, or at Z.
+        // The touches are at the stylus position, or at Z.
         let center = Vec3::new(x, y, beside.unwrap_or(z) + tip);
         let high = beside.map(|_| z + tip);
         // Of a surface across Z it is counted from the contact.
@@ -159,7 +159,7 @@ impl Called<'_> {
     }
 
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
-    /// from where the stylus is, where the cycle does.
+    /// from the stylus position, if the cycle does.
     fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         self.get("1")?;
         let at = Vec3::from_array(self.place);
@@ -365,7 +365,7 @@ mod tests {
             .collect()
     }
 
-    /// By hand: a hole of 25 about (1, 2), touched where the stylus is; a web of 30 along Y; a wall from the right.
+    /// By hand: a hole of 25 about (1, 2), touched at the stylus position; a web of 30 along Y; a wall from the right.
     #[test]
     fn a_call_touches_where_its_job_does() {
         let hole = job(

@@ -1,4 +1,4 @@
-//! Finds CmdPrm codes and their values in a text, whatever is around them.
+//! Finds CmdPrm codes and their values in any text.
 //!
 //! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds after it in the same line, or the `value` of its
 //! JSON object. Web pages break the cells of a table into lines: a code whose line has no value takes the next line that is one.
@@ -35,7 +35,7 @@ pub fn entries(text: &str) -> Vec<Entry> {
         }
         while let Some((accessor, code, behind)) = next {
             next = next_code(behind);
-            // The value is before the next code of the line.
+            // The value comes before the next code of the line.
             let end = next.map_or(behind.len(), |(.., rest)| behind.len() - rest.len());
             let value = value(&behind[..end]);
             open = value.is_none().then_some((accessor, code));
@@ -120,7 +120,7 @@ fn typographic(text: &str) -> String {
         .replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ")
 }
 
-/// The next code of a text and what is after its bracket.
+/// The next code of a text and the text after its bracket.
 fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     for (at, _) in text.match_indices('[') {
         let before = text[..at].trim_end().as_bytes();
@@ -148,7 +148,7 @@ fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     None
 }
 
-/// The value of what is after a code: in a table row the first cell that is a number as a whole; else what is after an equals
+/// The value after a code: in a table row the first cell that is a number as a whole; else what is after an equals
 /// sign or a colon; else the first number. Typographic minus signs are minus signs.
 fn value(text: &str) -> Option<f64> {
     let text = typographic(text);
@@ -214,7 +214,7 @@ fn first(text: &str) -> Option<f64> {
     all.min_by_key(|(at, _)| *at).map(|(_, value)| value)
 }
 
-/// The first number of a text and where it is. A comma between two digits is a decimal comma.
+/// The first number of a text and its position. A comma between two digits is a decimal comma.
 fn number(text: &str) -> Option<(usize, f64)> {
     let bytes = text.as_bytes();
     let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);

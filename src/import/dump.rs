@@ -23,7 +23,7 @@ pub fn recognises(text: &str) -> bool {
         && entries(text).iter().any(|e| e.code == -1)
 }
 
-/// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what is before the
+/// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and the text before the
 /// first is of it. A SubCode that was there already goes with the -1 that follows it.
 fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
     let ends = all.last().is_some_and(|e| e.code == -1);

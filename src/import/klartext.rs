@@ -21,7 +21,7 @@ struct Parameter {
     number: u32,
     /// Its key in the form: `point1[0]`.
     key: String,
-    /// The key of the flag that is set where GLOBAL DEF gives its value; `None` if a number must be.
+    /// The key of the flag that is set where GLOBAL DEF gives its value; `None` if a number is required.
     predefined: Option<&'static str>,
 }
 
@@ -151,7 +151,7 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
 }
 
 /// Makes a job of a program. Any comments, decimal points or commas, Q or QS, block numbers or none; other blocks are passed
-/// over with a note. What a program does not say (stylus, touch probe table, where the stylus is) gets the defaults.
+/// over with a note. What a program does not say (stylus, touch probe table, start position) gets the defaults.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     read(text).map(|(job, findings)| Imported::Job { job, findings })
 }
@@ -443,7 +443,7 @@ impl Reader {
     }
 }
 
-/// A program does not say where the stylus is before the cycle: the default, but not below what the program goes to.
+/// A program does not contain the start position: the default, but not below the positions of the program.
 fn raise_start(job: &mut Value) {
     let axis = match job.get("plane") {
         Some(Value::Text(plane)) if plane == "G18" => 1,

@@ -614,7 +614,7 @@ fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
             )
         })
         .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
-        // The number is above the blocks.
+        // The number comes before the blocks.
         .filter(|(_, tokens)| std::mem::replace(&mut begun, true) || !is_program_number(tokens))
         .collect()
 }

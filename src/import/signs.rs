@@ -35,7 +35,7 @@ const O_WORDS: [&str; 14] = [
     "continue",
 ];
 
-/// What of RepRapFirmware's expressions is outside of braces, too.
+/// Parts of RepRapFirmware's expressions that also occur outside of braces.
 const REP_RAP: [&str; 3] = ["param.", "global.", "var."];
 
 /// The first sign in a text. A code of a probing move says less than the rest.
@@ -75,7 +75,7 @@ fn is_linuxcnc(code: &str) -> bool {
         }
 }
 
-/// Whether a code of a probing move is there: `G38.2`, `G31`.
+/// Whether the text contains a code of a probing move: `G38.2`, `G31`.
 fn probes(code: &str) -> Option<Sign> {
     let bytes = code.as_bytes();
     memchr::memchr2_iter(b'G', b'g', bytes).find_map(|at| match bytes[at + 1..] {

@@ -148,7 +148,7 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     Value::Map(job)
 }
 
-/// A job with every value: what it does not say has the default value. `None` if it has no known cycle.
+/// A job with every value: missing ones have their defaults. `None` if it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     if is_set_up(job) {
         let limited = with_size_limit(job);

@@ -19,7 +19,7 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
 }
 
 /// What the safety rules say of a text that is to be the program of this job; `None` if the job has errors, or its control's programs are
-/// not read. Faults are lines that are not understood, or do not work where they are.
+/// not read. Faults are lines that are not understood, or do not work at their place.
 pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
     about(value, false, |request| {
         // Others are compared block by block.

@@ -131,7 +131,7 @@ fn own_run(
             }
         }
     }
-    // A touch that meets nothing ends the macro likewise, and has a finding of its own.
+    // A missed touch ends the macro, too; another finding reports it.
     if let (Some(alarm), Some(last)) = (alarm, made.last())
         && alarm != Alarm::NotFound
     {

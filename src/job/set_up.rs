@@ -468,7 +468,7 @@ impl Planned {
     }
 }
 
-/// The run of the whole path: each cycle on its own, and every move past what is of the other features.
+/// The run of the whole path: each cycle on its own, and every move past the studs and closed bodies of the other features.
 fn run(whole: &Planned, on: On) -> Run {
     let path = &whole.path;
     let mut all = Run::default();

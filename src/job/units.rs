@@ -44,7 +44,7 @@ impl Target {
         )
     }
 
-    /// A number in a text that goes into the program as it is.
+    /// A number in a text that is copied into the program.
     fn printed(self, x: f64) -> f64 {
         self.rounded(x, self.decimals)
     }

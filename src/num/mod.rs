@@ -202,7 +202,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
         340 * usize::from(size < 1.0)
     };
     let digits = scaled(size, places).digits();
-    // Where the first digit is.
+    // Position of the first digit.
     let power = digits.len() as i32 - 1 - places as i32;
     let short = |(count, up): (usize, bool)| {
         let rounded = rounded(&digits, count, up);
@@ -219,7 +219,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     );
 }
 
-/// Digits whose first one is at a power of ten: with a point where it belongs, or with an exponent.
+/// Digits, the first at a power of ten: with a point where it belongs, or with an exponent.
 fn placed(digits: &str, power: i32, plain: bool) -> String {
     let (first, rest) = digits.split_at(1);
     let whole = power.max(0) as usize + 1;
@@ -331,7 +331,7 @@ pub fn wrap_degrees(angle: f64) -> f64 {
     }
 }
 
-/// A label as it is inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays. Labels are ASCII.
+/// A label inside a sentence: `Width 1` becomes `width 1`. What begins with two capitals stays. Labels are ASCII.
 pub fn lowered(label: &str) -> String {
     let mut letters = label.chars();
     match (letters.next(), letters.next()) {

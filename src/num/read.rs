@@ -237,7 +237,7 @@ mod tests {
         }
     }
 
-    /// What is after the digits is left; the digits are read as the library reads them.
+    /// Text after the digits is left; the digits are read as the library reads them.
     #[test]
     fn digits_at_the_beginning_of_a_text() {
         for (text, length) in [

@@ -15,7 +15,7 @@ pub struct Contact {
     pub edge: bool,
 }
 
-/// A ball that is this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
+/// A ball this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
 pub(super) const SKIN: f64 = 1e-7;
 
 /// What a ball can meet. Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind the edge
@@ -138,7 +138,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     }
     let root = b * b - a * c;
     if inside {
-        // From inside there is one way out. A ball that is at the wall meets it only if it goes outwards.
+        // From inside there is one way out. A ball at the wall makes contact only if it moves outwards.
         let t = (-b + root.max(0.0).sqrt()) / a;
         return (t <= 1.0 && (gap > SKIN || t <= SKIN || b > 0.0)).then_some(t.max(0.0));
     }

@@ -59,7 +59,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
 }
 
 /// One sigma of a result for a ball centre 1 mm off the spindle axis, at any angle with the same likelihood. With the ball at an angle φ, the
-/// machine is (cos φ, sin φ) aside at every contact: a touch along v comes v·(cos φ, sin φ) off. All touches share the angle, so their
+/// machine is off by (cos φ, sin φ) at every contact: a touch along v comes v·(cos φ, sin φ) off. All touches share the angle, so their
 /// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.

@@ -180,7 +180,7 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     })
 }
 
-/// The first move of a set-up that meets what is of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
+/// The first move of a set-up that hits the feature of another cycle, and the position: a stud, or a body with walls all around. How far the
 /// material around a hole or behind a single wall goes is not known.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
     let standing: Vec<Vec<Surface>> = path
@@ -234,7 +234,7 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
     surfaces.iter().filter(stands).copied().collect()
 }
 
-/// Runs the whole path on the actual surfaces. A touch starts where the ball is and runs along the inverted target vector
+/// Runs the whole path on the actual surfaces. A touch starts at the present position and runs along the inverted target vector
 /// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;

@@ -45,7 +45,7 @@ pub enum Subject {
     TwoCircles,
 }
 
-/// What is probed, with the dimensions that it has, and the job's fields that say them. Its frame is in [`crate::path::Path::frame`].
+/// The probed feature with its dimensions and their fields in the job. Its frame is in [`crate::path::Path::frame`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
     /// Nothing is probed.

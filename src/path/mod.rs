@@ -248,7 +248,7 @@ pub enum TouchFault {
     Askew(f64),
 }
 
-/// Where a touch is among those that measure the same point.
+/// Index of a touch among those of the same point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat {
     /// The point of the formula.
@@ -345,7 +345,7 @@ impl Path {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Where each touch is among those of its sample.
+    /// Index of each touch in its sample.
     pub fn samples(&self) -> Vec<Repeat> {
         let mut counts: Vec<usize> = Vec::new();
         let mut samples: Vec<Repeat> = Vec::with_capacity(self.touches.len());

@@ -12,7 +12,7 @@ pub enum Quantity {
     Feed(f64),
     /// Degrees.
     Angle(f64),
-    /// A number as it is.
+    /// A plain number.
     Plain(f64),
 }
 

@@ -50,12 +50,12 @@ impl Tracer {
         });
     }
 
-    /// Where the ball is, once that is known.
+    /// Position of the ball, once known.
     pub fn place(&self) -> Option<Vec3> {
         self.at
     }
 
-    /// The touch with this index from where the ball is, and back to there, as one step.
+    /// The touch with this index from the present position, and its retract, as one step.
     pub fn touch(&mut self, index: usize, touch: &Touch, back: Feed, step: u8) {
         self.touch_in_steps(index, touch, back, [step, step]);
     }

@@ -220,7 +220,7 @@ pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
         let digits = rest
             .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ','))
             .unwrap_or(rest.len());
-        // Two points are between the ends of a zone.
+        // Two points separate the ends of a zone.
         let digits = rest[..digits].find("..").unwrap_or(digits);
         if digits == 0 || out.ends_with('.') && first == '.' {
             out.push(first);

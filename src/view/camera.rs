@@ -28,7 +28,7 @@ const STANDS_OFF: f64 = 46.0;
 pub const AXES_CORNER: f64 = 34.0;
 /// How far the names of the work axes reach from their corner, pixels.
 pub const AXES_REACH: f64 = 36.0;
-/// How far the scale bar is from the lower right corner, pixels.
+/// Distance of the scale bar from the lower right corner, pixels.
 pub const BAR_CORNER: f64 = 16.0;
 /// How high the scale bar reaches with its length above it, pixels.
 pub const BAR_REACH: f64 = 34.0;

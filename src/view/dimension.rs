@@ -1,4 +1,4 @@
-//! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line is.
+//! The dimensions of a feature as a drawing has them: its field, its ends, and the side of its line.
 
 use crate::geom::Vec3;
 use crate::path::{
@@ -14,7 +14,7 @@ pub struct Dimension {
     pub from: Vec3,
     /// Where it ends, mm; its length is the field's value.
     pub to: Vec3,
-    /// The side on which its line is, a unit vector square to it.
+    /// Side of its line, a unit vector square to it.
     pub aside: Vec3,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
@@ -215,7 +215,7 @@ fn round(path: &Path, bore: &Bore) -> Vec<Dimension> {
     all
 }
 
-/// Of opposite walls: each width at the end of its walls, where the other pair is, if there is one.
+/// Of opposite walls: each width at the end of its walls, next to the other pair if there is one.
 fn opposite(path: &Path, pairs: &Pairs) -> Vec<Dimension> {
     let (u, v) = (path.frame.u, path.frame.v);
     let directions = [(u, -v), (v, -u)];
@@ -315,7 +315,7 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
                 on_demand: true,
             });
         }
-        // Behind the wall; of a corner from outside in front of the touches, since behind one wall is the other.
+        // Behind the wall; of a corner from outside in front of the touches, since one wall is behind the other.
         let (aside, off) = if corner.outside {
             (
                 first.vector,
@@ -356,7 +356,7 @@ fn on_top(path: &Path, top: &Top, all: &mut Vec<Dimension>) {
     };
     let (origin, w) = (path.frame.origin, path.frame.w);
     let level = w * (origin - first.point).dot(w);
-    // Away from both walls, so that it is free from the front and from the side.
+    // Away from both walls, so that it is seen in front and side view.
     let aside = (first.vector + second.vector)
         .try_normalize()
         .unwrap_or(first.vector);

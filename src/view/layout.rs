@@ -8,11 +8,11 @@ use crate::view::numbers::Number;
 use crate::view::plate::{CUT_OFF, Crowd, Plate};
 use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
-/// How far the line of a dimension that comes with the focus is from the part, pixels.
+/// Distance of a dimension line that comes with the focus from the part, pixels.
 const ON_DEMAND: f64 = 16.0;
 /// In the place of a field that has the focus: every height is drawn.
 const EVERY: &str = "*";
-/// How far it is from whatever else reaches beyond the part.
+/// Its distance from anything else that reaches beyond the part.
 const CLEAR: f64 = 18.0;
 /// Half the height of a name with the room around it.
 const HIGH: f64 = 12.0;
@@ -56,7 +56,7 @@ pub struct Arc<'a> {
     pub name: Option<Plate>,
 }
 
-/// What is in a picture beside the part and its path.
+/// Contents of a picture beside the part and its path.
 #[derive(Clone, Debug)]
 pub struct Layout<'a> {
     pub numbers: Vec<Number>,
@@ -144,7 +144,7 @@ impl Layout<'_> {
             })
     }
 
-    /// Where the name of the work origin is, so wide and high by half: in the freest of the four corners about it.
+    /// Position for the name of the work origin: in the freest of the four corners about it. `half`: half its size.
     pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
         let plate = |x: f64, y: f64| Plate {
             middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0),
@@ -262,7 +262,7 @@ impl Camera {
         layout
     }
 
-    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is. The name is on the line
+    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is. The name lies on the line
     /// where there is room between the arrow heads; else beyond one end or the other, or beside it.
     fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
         let ends = drawn.ends.map(|spot| self.pixel(spot));
@@ -281,7 +281,7 @@ impl Camera {
             [0.0, beside, 0.0, 0.0],
             [0.0, -beside, 0.0, 0.0],
         ];
-        // Between its arrow heads, with a little of the line seen: in the middle, or aside of what is there.
+        // Between its arrow heads, with a little of the line seen: in the middle, or beside other names.
         let off_middle = ((long - drawn.wide) / 2.0 - 12.0).min(long / 4.0);
         let on_it = [
             [0.0; 4],

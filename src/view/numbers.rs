@@ -1,4 +1,4 @@
-//! Where the numbers of touches are: each near its contact, and none on another.
+//! Positions of the numbers of touches: each near its contact, and none on another.
 
 use crate::geom::Vec2;
 use crate::num::within;
@@ -24,11 +24,11 @@ pub struct Number {
     pub contact: Vec2,
     /// Its disc, which is longer than high where it says more.
     pub plate: Plate,
-    /// Whether it is so far from the contact that a line leads there.
+    /// Whether it is far enough from the contact to need a line to it.
     pub led: bool,
 }
 
-/// So many numbers are said one by one where touches are in one place.
+/// Numbers of touches at one position that are listed one by one.
 const MOST_SAID: usize = 4;
 
 impl Number {

@@ -29,7 +29,7 @@ pub enum Colour {
     Highlight,
 }
 
-/// Of each, in that order: its name in a theme, what it is on a canvas that has no theme, and in an SVG, which is on white.
+/// Of each, in that order: its name in a theme, what it is on a canvas that has no theme, and in an SVG, whose background is white.
 pub const COLOURS: [(&str, &str, &str); 9] = [
     ("background", "#ffffff", "#fff"),
     ("text", "#1c2430", "#46535f"),

@@ -118,7 +118,7 @@ impl Drawing {
         }
     }
 
-    /// What is named, and where it is.
+    /// A name and its position.
     fn layout<'a>(&self, scene: &'a Scene, legend: &Legend<'_>) -> Layout<'a> {
         let mut layout = self.camera.layout(scene, None);
         let named = |own: &str| legend.names.iter().any(|(field, _)| *field == own);

@@ -348,7 +348,7 @@ fn value_to_js(value: &Value) -> JsValue {
         Value::List(items) => items.iter().map(value_to_js).collect::<Array>().into(),
         Value::Map(entries) => {
             let object = Object::new();
-            // No value of a job is under this name; set, it would change the object itself.
+            // No value of a job has this name; set, it would change the object itself.
             for (key, value) in entries.iter().filter(|(key, _)| key != "__proto__") {
                 set(&object, key, &value_to_js(value));
             }

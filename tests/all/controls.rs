@@ -82,7 +82,7 @@ pub fn calling() -> Keys {
     which(|post| post.own.is_some())
 }
 
-/// Those whose own cycles are Renishaw's macros: a letter is before the number, of which a Brother has other thousands.
+/// Those whose own cycles are Renishaw's macros: a letter comes before the number, whose thousands differ on a Brother.
 pub fn calling_macros() -> Keys {
     which(|post| {
         let word = word(post, 9814, "D");

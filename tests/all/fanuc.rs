@@ -404,7 +404,7 @@ fn the_way_to_the_first_place_is_across_and_down_or_none() {
             control
                 .run(&plan.program.text)
                 .unwrap_or_else(|e| panic!("{name}: {e}"));
-            // It has to be high enough for a control that has the length in its places, and for one that leaves it out.
+            // It must be high enough for a control whose coordinates include the length, and for one that leaves it out.
             let needed = if included { -length } else { length };
             if above < f64::max(needed, 0.0) {
                 assert_eq!(

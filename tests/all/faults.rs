@@ -333,7 +333,7 @@ fn a_touch_that_meets_another_wall_is_reported() {
     assert!(!codes(&pocket(5.0)).contains(&"wrong-wall".to_owned()));
 }
 
-/// The first touch has its foot on its wall, and still the ball is at the other wall before: 14.2 + 12·cos 160° = 2.92 is
+/// The first touch has its foot on its wall, yet the ball is at the other wall before it: 14.2 + 12·cos 160° = 2.92 is
 /// less than the radius of 3.
 #[test]
 fn the_ball_meets_the_corners_other_wall_first() {
@@ -691,7 +691,7 @@ fn a_direction_has_the_limit_of_angles() {
     }
 }
 
-/// What grbl reports where the walls of a job are as its virtual part has them, and the first one `chip` mm nearer to −X; G54 is X−200 Y−150 Z−60.
+/// Reports of grbl for walls at the positions of the virtual part, and the first one `chip` mm nearer to −X; G54 is X−200 Y−150 Z−60.
 fn grbl_log(job: &Value, chip: f64) -> String {
     let touches = planned(job).triggers.into_iter().flatten().enumerate();
     let line = |(i, [x, y, z]): (usize, [f64; 3])| {

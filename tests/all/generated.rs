@@ -92,7 +92,7 @@ What programs call, and what each argument means, as [programs you have](program
                 .map(|names| names.replace(' ', " or "))
                 .chain(excludes)
                 .collect();
-            // What all calls of a set have is below it.
+            // Notes on all calls of a set are below it.
             let own = if call.arguments.len() > 25 {
                 "those below"
             } else {
@@ -455,7 +455,7 @@ fn the_public_names_of_the_crate_change_in_sight() {
 
 #[test]
 fn every_code_of_a_finding_is_listed() {
-    // A code that nothing reports any more would be in the list for good.
+    // A code that nothing reports any more would stay in the list.
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut sources = String::new();
     let mut folders = vec![src.clone()];

@@ -28,7 +28,7 @@ const KIN: [(&str, &str); 7] = [
     ("okuma-cycle", "fanuc-cycle"),
 ];
 
-/// The control whose programs are beside the path of their job.
+/// The control whose programs are listed beside the path of their job.
 const FIRST: &str = "linuxcnc";
 
 fn triple(p: [f64; 3]) -> String {
@@ -210,7 +210,7 @@ fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
     assert!(jobs.len() >= 10);
     let mut all = BTreeMap::new();
     for post in POSTS {
-        // What has no other form than its macros is with those.
+        // A control with macros only is listed with the macros.
         if post.own.is_none() || post.read.is_some() {
             let programs = jobs
                 .iter()

@@ -224,11 +224,11 @@ fn a_foreign_call_is_read_with_the_words_that_it_has() {
         ))),
         0
     );
-    // 425 that lifts between the walls goes over what is there: no program here does that without writing.
+    // 425 that lifts between the walls goes over an island: no program here does that without writing.
     let slot = "425 Q328=+0 Q329=+0 Q310=+0 Q272=+1 Q261=-5 Q260=+20 Q311=+60";
     assert!(job_of(&klartext(slot)).is_some());
     assert_eq!(job_of(&klartext(&format!("{slot} Q320=+4 Q301=+1"))), None);
-    // A centre that the call says, but that nobody knows, is not where the stylus is.
+    // An unknown centre in the call is not the stylus position.
     let bore = |centre: &str| {
         siemens(&format!(
             "CYCLE977(101,10001,,1,30,,,7,5,0,1,1,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,{centre})"

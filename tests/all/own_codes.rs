@@ -339,7 +339,7 @@ fn a_subprogram_that_cannot_be_followed_leaves_nothing_known() {
     }
 }
 
-/// What is in the way of the moves of a header's job stays refused.
+/// An obstacle to the moves of a header's job stays refused.
 #[test]
 fn a_job_whose_program_has_a_code_of_another_maker_is_refused() {
     let job = with(

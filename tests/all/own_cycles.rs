@@ -72,7 +72,7 @@ struct Judge<'p> {
 }
 
 impl Judge<'_> {
-    /// From where it is towards a place, and `q` beyond it.
+    /// From the present position towards another one, and `q` beyond it.
     fn touch(&mut self, place: [f64; 3], q: f64) -> [f64; 3] {
         let way: Vec<f64> = (0..3).map(|i| place[i] - self.at[i]).collect();
         let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -96,7 +96,7 @@ impl Judge<'_> {
         contact
     }
 
-    /// Both sides along a direction about where it is: from the middle, or from outside and beside.
+    /// Both sides of the present position along a direction: from the middle, or from outside and beside.
     fn sides(
         &mut self,
         along: [f64; 2],
@@ -701,7 +701,7 @@ fn each_control_has_its_own_words() {
     );
 }
 
-/// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S is where nothing is measured again.
+/// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S comes after the last measurement.
 #[test]
 fn two_circles_are_measured_from_feature_to_feature() {
     let given = [

@@ -66,7 +66,7 @@ fn a_wider_pocket() {
 }
 
 /// A pocket turned by 3° about its centre. The ball meets a wall W/2 from the centre when its own distance from it is r,
-/// so along the nominal direction it is (W/2 − r)/cos 3° out, and with the radius added along that direction the
+/// so along the nominal direction it ends at (W/2 − r)/cos 3°, and with the radius added along that direction the
 /// width reads (W − d)/cos 3° + d: too wide by (W − d)(1/cos 3° − 1).
 #[test]
 fn a_turned_pocket_reads_too_wide_by_the_cosine_error() {

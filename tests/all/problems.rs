@@ -584,7 +584,7 @@ fn what_is_said_goes_out_as_its_template_and_its_values() {
     );
 }
 
-/// A finding that is at the control's name holds whatever the job: it comes with every cycle of a control and form, or with none that moves.
+/// A finding at the control's name holds for every job: it comes with every cycle of a control and form, or with none that moves.
 #[test]
 fn standing_findings_hold_for_every_job_of_a_control() {
     use std::collections::BTreeMap;

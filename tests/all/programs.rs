@@ -120,7 +120,7 @@ fn trips(case: &mut Case, text: &str) {
     }
 }
 
-/// The cases of a header. What is above the first one is of all of them.
+/// The cases of a header. Lines above the first one belong to all of them.
 fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
     let mut all = Case {
         door: Door::Read,

@@ -7,7 +7,7 @@ use touchpath::job::Plan;
 const RUNOUT: f64 = 0.02;
 
 /// The spread of every result over the angles of the spindle. A ball that is off the axis by e meets the part where a centred one meets a part that
-/// is off by −e: so the part of the job is moved, and the very path and contacts of the crate say where the machine is.
+/// is off by −e: so the part of the job is moved, and the path and contacts of the crate give the machine position.
 fn spread(job: &Value) -> Vec<(String, f64)> {
     const ANGLES: usize = 36;
     let offset = |angle: f64| match job.get("part").and_then(|part| part.get("offset")) {

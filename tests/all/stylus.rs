@@ -27,7 +27,7 @@ fn pocket(stylus: &str, cycle: &str) -> Value {
     ))
 }
 
-/// The body is 40 wide. In front of the wall the ball is 8 from it: at a depth beyond the length the body is below the top side, and 20 reaches over
+/// The body is 40 wide. In front of the wall the ball is 8 from it: at a depth beyond the length the body reaches below the top side, and 20 reaches over
 /// the wall. At the length itself it is on the top side's level, and clears it.
 #[test]
 fn the_body_meets_the_top_of_a_deep_pocket() {

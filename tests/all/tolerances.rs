@@ -101,7 +101,7 @@ fn a_result_out_of_its_tolerance_stops_the_program_or_is_marked_or_only_judged()
     }
 }
 
-/// A path that ends with a retract which nothing watches: the control is still before it asks, since its alarm would stop the ball on the
+/// A path that ends with a retract that nothing watches: the control waits for standstill before it asks, since its alarm would stop the ball on the
 /// way.
 #[test]
 fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {

@@ -16,7 +16,7 @@ pub struct Machine {
     pub triggers: Vec<Option<[f64; 3]>>,
     /// The number of a positioning move in which something is touched.
     pub contact_in: Option<f64>,
-    /// The same of the frames that may be behind it: programmed, tool, workpiece.
+    /// The same for the frames that may follow it: programmed, tool, workpiece.
     pub behind: [[[f64; 3]; 5]; 3],
     pub metric: bool,
     /// The probe input that the probe is connected to; the other one sees nothing.
@@ -35,7 +35,7 @@ pub struct Machine {
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
     pub writes: usize,
-    /// Where the ball is before the program.
+    /// Position of the ball before the program.
     pub start: [f64; 3],
     touched: usize,
     state: f64,

@@ -1,4 +1,4 @@
-// The command in a build: where findings are in a file, and what GitHub and JUnit read.
+// The command in a build: positions of findings in a file, and the formats of GitHub and JUnit.
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -62,7 +62,7 @@ test("a finding says the line and the column of what it is about", () => {
       .map((/** @type {any} */ f) => f.line),
     [11],
   );
-  // What is missing is where it is missing; a tolerance's key has a dot in it.
+  // A missing value is reported at its object; a tolerance's key has a dot in it.
   writeFileSync(
     join(folder, "bore.json"),
     '{ "format": 1,\n  "cycle": { "type": "hole" },\n  "tolerances": { "diameter": { "tolerance": "about 5" } } }',

@@ -172,7 +172,7 @@ test("two jobs of one file were renamed without a word: they are refused before 
     lines.stderr,
     /many\.ndjson:1 and clash\/many\.ndjson:2 would both be .*; and 3 more: nothing was written\n$/,
   );
-  // A folder is where a file must be.
+  // A folder has the name of a file to be written.
   mkdirSync(join(folder, "blocked", "clash", "ONE.ngc"), { recursive: true });
   const blocked = run([
     "plan",

@@ -243,7 +243,7 @@ test("a job of 200,000 levels came back as an object that no JSON can be written
   ])
     assert.equal(refused(text), "nothing-to-import", text.slice(0, 40));
   assert.equal(refused(`G38.2 Z${"[".repeat(200_000)}`), "not-understood");
-  // Braces in a text are none, nor is what is after a quote that is marked; 100 levels are read.
+  // Braces in a text do not count, nor does an escaped quote end it; 100 levels are read.
   const name = `${'\\"{['.repeat(50_000)}`;
   const kept = {
     format: 1,

@@ -110,7 +110,7 @@ function dice(/** @type {number} */ seed) {
   };
 }
 
-/** What is where a value stood. */
+/** Replacements for a value. */
 const STRANGE = [
   null,
   true,

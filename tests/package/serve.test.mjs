@@ -35,7 +35,7 @@ after(() => {
 });
 
 /**
- * A request with its path as it is: fetch would tidy it up.
+ * A request with its path unchanged: fetch would normalize it.
  * @param {string} path
  * @returns {Promise<{ status: number | undefined, type: string | undefined, text: string }>}
  */

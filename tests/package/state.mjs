@@ -42,7 +42,7 @@ export function setUp() {
   let folder;
   before(async () => {
     folder = mkdtempSync(join(tmpdir(), "touchpath-state-"));
-    // In Node the package's own entry for Node is where the page has that for browsers.
+    // In Node the package's entry for Node replaces the one for browsers.
     const core = pathToFileURL(at("dist", "node.js")).href;
     await build({
       root,

@@ -332,7 +332,7 @@ test("a place follows a result of an earlier cycle, and keeps to it when that is
     program(store),
     /TOP\.point\.z is #<top_point_z>, more than 1 from 0/,
   );
-  // A number is there again as any other does.
+  // A number comes back like any other value.
   store.put("cycle.origin[2]", -2);
   assert.doesNotMatch(program(store), /shift_z/);
 });

@@ -1,4 +1,4 @@
-// The languages: each has words for every text, and for nothing else; what is in braces is the same; numbers and codes are, too.
+// The languages: each has words for every text, and for nothing else; texts in braces, numbers and codes are the same.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";

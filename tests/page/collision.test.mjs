@@ -40,7 +40,7 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   );
   await page.getByRole("tab", { name: "Program" }).click();
   assert.notEqual((await pixels()).sum, good.sum);
-  // The crossed ball is where the message says.
+  // The crossed ball is at the position of the message.
   const place = /X (-?[\d.]+), Y (-?[\d.]+)/.exec(await textOf(stamp));
   assert.ok(place);
   const red = await page.evaluate(

@@ -200,7 +200,7 @@ const pocket = (/** @type {import("playwright-core").Page} */ tab) =>
     store.clear();
   });
 
-/** Until the page is. */
+/** Waits until the page is shown. */
 export async function ready(tab = page) {
   await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
   await tab.locator(`tp-picture ${PICTURE}`).waitFor({ state: "attached" });
@@ -211,7 +211,7 @@ export async function ready(tab = page) {
   await unfold(tab);
 }
 
-/** Shows everything that is behind a switch: parameters, every group of the form, every line of the program. */
+/** Shows everything that a switch hides: parameters, every group of the form, every line of the program. */
 export const unfold = (tab = page) =>
   tab.evaluate(() => {
     const element = /** @type {any} */ (document.querySelector("touch-path"));
@@ -219,7 +219,7 @@ export const unfold = (tab = page) =>
     // What only authors of postprocessors need is there, too: tests of what a setter sees switch it off.
     if (element?.store) element.store.cam = true;
     /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
-    // Beside a form and a picture are the results at first: most tests ask for the program.
+    // The results are shown first beside form and picture: most tests need the program.
     const results = root?.querySelector("#tab-results[aria-selected=true]");
     if (results) root.querySelector("#tab-program")?.click();
     const program = /** @type {any} */ (root?.querySelector("tp-program"));
@@ -402,7 +402,7 @@ export const painted = async (
     }, colour);
 };
 
-/** Where a part of the page is in the window. */
+/** Position of a part of the page in the window. */
 export async function boxOf(
   /** @type {import("playwright-core").Locator} */ locator,
 ) {

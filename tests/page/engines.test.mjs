@@ -1,4 +1,4 @@
-// The main path in the engines other than Chromium's, each by its own WebDriver: the page is, a number is typed, the program is that of the package, the
+// The main path in the engines other than Chromium's, each by its own WebDriver: the page is shown, a number is typed, the program is that of the package, the
 // picture is drawn. WebKit is what Safari and every browser on an iPad are made of.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";

@@ -95,7 +95,7 @@ test("with a job in the address, or one that was kept, there is none", async () 
   await ready();
 });
 
-/** What is in the store of the page. */
+/** The state of the page. */
 const stored = (/** @type {import("playwright-core").Page} */ tab) =>
   tab.evaluate(() => {
     const { store } = /** @type {any} */ (document.querySelector("touch-path"));

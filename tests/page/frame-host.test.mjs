@@ -635,7 +635,7 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
     (/** @type {any} */ one) => one.type === "program-save",
   ).detail;
   assert.equal(saved.name, "KEPT.nc", "the portal still saves by itself");
-  // Over another page, as one that logs in: what is there in the end is spoken to.
+  // Over another page, as one that logs in: the last page is the one that gets messages.
   await frames
     ?.evaluate((name) => location.assign(name), `${origin(0)}/elsewhere.html`)
     .catch(() => undefined);

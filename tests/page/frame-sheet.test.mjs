@@ -122,7 +122,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
 });
 
 test("the setup sheet drew the handle of the virtual part as if it were a feature", async () => {
-  // A nominal part is not drawn: of its colour there is the handle alone, which is out while a field of the part has the focus.
+  // A nominal part is not drawn: only the handle has its colour, and it is shown while a field of the part has the focus.
   await field("part.offset[0]").focus();
   const handle = async (/** @type {string} */ part) =>
     (await painted(part, "actual")).count;

@@ -206,7 +206,7 @@ test("on a Russian keyboard Ctrl+Z did nothing: a shortcut is a key's letter, or
     );
   await press("я", "KeyZ");
   assert.equal(await width.inputValue(), before);
-  // н is on Y, which does again what was undone; on a German keyboard z is typed there, and undoes.
+  // н is on the key Y, which means redo; on a German keyboard that key types z, which means undo.
   await press("н", "KeyY");
   assert.equal(await width.inputValue(), "66");
   await press("z", "KeyY");

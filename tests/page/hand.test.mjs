@@ -22,7 +22,7 @@ setUp();
 const button = (/** @type {string | RegExp} */ name) =>
   page.getByRole("button", { name, exact: true });
 
-/** The text that is beside a button and that it names as its description. */
+/** The text that describes a button. */
 async function reason(
   /** @type {import("playwright-core").Locator} */ locator,
 ) {

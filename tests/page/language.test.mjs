@@ -118,7 +118,7 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
     });
     assert.ok(left.length > 250, `${left.length} texts are seen`);
     const words = wordsOf(language);
-    // A text that has words of its own must not be there in English.
+    // A translated text must not appear in English.
     const english = left.filter(
       (text) =>
         Object.hasOwn(words, text) &&

@@ -29,7 +29,7 @@ import {
 
 setUp(undefined, "allow");
 
-/** Until the page's files are kept, and the page has loaded the parts that it loads after it is: without the worker, as every first visit. */
+/** Waits until the page's files are kept and its later parts are loaded: without the worker, as every first visit. */
 const kept = (tab = page) =>
   tab.evaluate(async () => {
     await navigator.serviceWorker.ready;

@@ -112,7 +112,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
     { form: "boss", held: "boss", program: undefined },
     "no other job's program",
   );
-  // Each can be put right where it is.
+  // Each can be corrected in its field.
   await chooseUnits("mm");
   await field("control.post").selectOption("linuxcnc");
   await field("control.workOffset").selectOption({ index: 1 });

@@ -271,7 +271,7 @@ test("every cycle has a plan on the page, and its steps light up with the move",
         lit.length > 0 && lit.every((text) => text === steps[step - 1]),
         `${type}: ${lit} at ${said}`,
       );
-      // The line that is lit is under a heading of that step.
+      // The lit line comes under the heading of that step.
       const over = await page
         .locator("tp-program [aria-selected=true]")
         .locator("..")

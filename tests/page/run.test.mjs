@@ -30,7 +30,7 @@ const enter = async (/** @type {string} */ id, /** @type {string} */ text) => {
   await input.press("Tab");
 };
 
-/** Where the stylus is before the first block. */
+/** Position of the stylus before the first block. */
 const begins = async (/** @type {string[]} */ ...place) => {
   for (const [axis, text] of place.entries())
     await enter(`start-${axis}`, text);
@@ -203,7 +203,7 @@ test("a cycle of the control's own was a line that is not understood: it is name
     await textOf(calls.nth(1)),
     /G65 P9814 Line 7 hole or boss, four touches: D 25 \(diameter\)/,
   );
-  // A hole of 25 where the stylus is: with a click it is the job.
+  // A hole of 25 at the stylus position: a click makes it the job.
   await calls
     .nth(1)
     .getByRole("button", { name: "Create a job from this call" })

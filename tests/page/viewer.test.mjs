@@ -295,7 +295,7 @@ test("a long program: only lines that are seen are in the document; a line and i
   await lines.first().waitFor();
   assert.ok((await lines.count()) < 300, String(await lines.count()));
   const told = () => textOf(viewer.locator("p[role=status]"));
-  // Words that are far below are found, and their line is brought into sight.
+  // Words far below are found, and their line is brought into sight.
   await viewer.getByLabel("Find in the program").fill("n15000 ");
   const found = viewer.locator(".line.here");
   await found.waitFor();

@@ -271,7 +271,7 @@ export function importJob(text: string): Imported {
   const imported = instance.call<Imported>(() =>
     raw.importJob(text, codes, texts),
   );
-  // What is a job in JSON is that job, with all that is in it: then the module gives none.
+  // A job as JSON is taken with all its content: then the module gives none.
   return imported.kind === "job"
     ? { ...imported, job: imported.job ?? (json as Job) }
     : imported;
@@ -290,7 +290,7 @@ export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
 }
 
 /**
- * Runs any program with what is known beside its text: values of variables, where the stylus is, where touches trigger, the files of its subprograms. What
+ * Runs any program with what is known beside its text: values of variables, the start position, where touches trigger, the files of its subprograms. What
  * stays unknown is `NaN`, never a guess: after a touch of which `part` says nothing, the place along its way. Throws `JobError` for a text that is too long, and for
  * what is known where that is wrong.
  */

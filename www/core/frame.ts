@@ -72,7 +72,7 @@ export class Frame extends EventTarget {
   private last = 0;
   private ended = false;
   private port: MessagePort;
-  // What a frame that is loaded anew is given: all that was set, with the job and what was measured as they are.
+  // A frame that is loaded anew gets everything that was set, with the present job and measured points.
   private state: FrameState = {};
   private of: string;
   // What is waited for while the frame is loaded anew; the last load counts.
@@ -193,7 +193,7 @@ export class Frame extends EventTarget {
     }));
   }
 
-  /** The job as it is, its plan, its findings, what was measured. */
+  /** The present job, its plan, its findings and the measured points. */
   async get(): Promise<FrameView> {
     return (await this.ask((id) => ({ type: "get", id }))) as FrameView;
   }
@@ -267,7 +267,7 @@ export class Frame extends EventTarget {
     if (answer.type === "ended")
       this.end("Another connection has replaced this one");
     if (answer.type === "job-change") {
-      // A cycle that was set is in the job by now.
+      // The job contains a cycle that was set before.
       const { cycle: _, ...state } = this.state;
       this.state = { ...state, job: answer.detail.job };
     }

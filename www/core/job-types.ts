@@ -801,7 +801,7 @@ type Following<C> = {
       : C[K];
 };
 
-/** A cycle of a set-up. Its name, a letter and then letters and digits, is in front of its results; left out, it is what the cycle measures. */
+/** A cycle of a set-up. Its name, a letter and then letters and digits, prefixes its results; the default is what the cycle measures. */
 export type NamedCycle = Following<Cycle> & { name?: string };
 
 /** What lies between the features of a set-up. A later one may be of an earlier one. */

@@ -796,7 +796,7 @@ export interface Catalog {
   codeGroups: CodeGroup[];
   /** The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them. */
   rapidRate: number;
-  /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have is in its entry. */
+  /** The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number. */
   maxTouches: number;
   /** The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units). */
   longestText: number;

@@ -41,7 +41,7 @@ export type Token =
 
 /** What the frame holds. */
 export interface FrameView {
-  /** The job as it is in the form, errors and all. */
+  /** The job in the form, including its errors. */
   job: Job;
   /** Its plan; `null` where it has errors. */
   plan: Plan | null;

@@ -211,7 +211,7 @@ function seriesOf(
 const COMPONENT = /^[\s*]*COMPONENT[\s*]+NO[\s*]+(\d+)/;
 
 /**
- * The runs of a log that a program wrote part after part: a new one begins where a result comes again, the name of the program is alone, or Renishaw's macros print the next component. A text of
+ * The runs of a log that a program wrote part after part: a new one begins where a result comes again, the name of the program has a line of its own, or Renishaw's macros print the next component. A text of
  * points, or of one run, is given as it is.
  */
 export function runsOf(text: string, plan: Plan): string[] {
@@ -226,7 +226,7 @@ export function runsOf(text: string, plan: Plan): string[] {
   });
   const coded = (line: string) => {
     const plain = pointed(line);
-    // A value is behind it: what a program says of a result is none.
+    // A value follows it: a remark of a program about a result has none.
     const found = names.filter(({ name }) =>
       new RegExp(
         `(^|[^a-z0-9.])${name.replace(/[.[\]#$]/g, "\\$&")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`,
@@ -248,7 +248,7 @@ export function runsOf(text: string, plan: Plan): string[] {
       component = next;
     }
     if (runs.length === 0 || (code !== undefined && said.has(code))) {
-      // The name of the program is above its first result.
+      // The name of the program comes before its first result.
       const named = runs.at(-1)?.at(-1);
       const moved =
         named !== undefined && said.size > 0 && coded(named) === undefined

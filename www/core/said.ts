@@ -1,7 +1,7 @@
 // What is said to a person, in any language: templates and their values, as src/text.rs has them.
 
 /**
- * A sentence as its English template, then what is in place of the names in its braces, in the order in which these first appear: a string that is
+ * A sentence as its English template, then the values of the names in its braces, in the order in which these first appear: a string that is
  * the same in every language (a number with its unit, a code, what a user typed), or again something said.
  */
 export type Said = [template: string, ...values: (string | Said)[]];
@@ -22,7 +22,7 @@ const QUOTES = "\"“”„«»「」‘’'";
 const written = (text: string, words: Words) =>
   words["0.5"] === "0,5" ? text.replace(NUMBER, "$1,$2$3") : text;
 
-/** A text in pieces: what is before a name, the name, and whether it is in quotes; the last piece has no name. */
+/** A text in pieces: the text before a name, the name, and whether it is quoted; the last piece has no name. */
 type Piece = [before: string, name: string | null, quoted: boolean];
 
 /** Texts in pieces, as they were taken apart: a table says the same few hundreds of times. */
@@ -67,7 +67,7 @@ export function say(said: Said, words: Words = {}): string {
     const at = names.indexOf(name);
     const value = at < 0 ? undefined : said[at + 1];
     if (value === undefined) out += `{${name}}`;
-    // What is in quotes is somebody's own text: a line of a program, a name.
+    // Quoted text comes from the user: a line of a program, a name.
     else if (typeof value === "string")
       out += quoted ? value : written(value, words);
     else out += say(value, words);

@@ -103,7 +103,7 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
     said: Said;
     lines: number[];
   }[];
-  /** The lines that name what is below them, 0-based: programs, subroutines, labels. */
+  /** The lines that name the lines below them, 0-based: programs, subroutines, labels. */
   outline: { line: number; name: string }[];
 }
 

@@ -139,7 +139,7 @@ export class TouchPart extends Base {
  *
  * @tag touch-form
  * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - What is shown in place of its own panel, as words of `panels` of `<touch-path>`; several are side by side or behind tabs.
+ * @attr {string} panels - Panels to show instead of its own one, as words of `panels` of `<touch-path>`; several are shown side by side or as tabs.
  */
 export class TouchForm extends TouchPart {}
 
@@ -148,7 +148,7 @@ export class TouchForm extends TouchPart {}
  *
  * @tag touch-picture
  * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - What is shown in place of its own panel, as words of `panels` of `<touch-path>`; several are side by side or behind tabs.
+ * @attr {string} panels - Panels to show instead of its own one, as words of `panels` of `<touch-path>`; several are shown side by side or as tabs.
  */
 export class TouchPicture extends TouchPart {
   protected override readonly own = "stage";
@@ -159,7 +159,7 @@ export class TouchPicture extends TouchPart {
  *
  * @tag touch-program
  * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - What is shown in place of its own panel, as words of `panels` of `<touch-path>`; several are side by side or behind tabs.
+ * @attr {string} panels - Panels to show instead of its own one, as words of `panels` of `<touch-path>`; several are shown side by side or as tabs.
  */
 export class TouchProgram extends TouchPart {
   protected override readonly own = "program";

@@ -39,7 +39,7 @@ type Units = "mm" | "inch";
  * @attr {string} name - The name under which a form gets the job's JSON.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
  * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the host page. A job with errors gives no event.
- * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the host page it does.
+ * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the host page does that.
  * @fires {CustomEvent<Selection>} selection-change - The user has selected another move, line or field, or the selected move is gone.
  * @fires {CustomEvent<{ measured: string }>} measured-change - The user has changed the measured points.
  * @fires {Event} input - The user has changed the job, as `job-change` says: for form libraries.
@@ -94,7 +94,7 @@ export class TouchPath extends Showing {
   constructor() {
     super();
     this.inside = this.attachInternals();
-    // What the host page has put inside is seen until there is more.
+    // Content from the host page is shown until the element is loaded.
     this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
     this.addEventListener("invalid", this.unseen);
   }
@@ -167,7 +167,7 @@ export class TouchPath extends Showing {
     }
   }
 
-  /** The job as it is in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
+  /** A copy of the job in the form, including its errors; `undefined` until the element is loaded. May be set as an object or as JSON. */
   get job(): Job | undefined {
     return this.store && (structuredClone(this.store.job) as unknown as Job);
   }

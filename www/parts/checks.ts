@@ -109,7 +109,7 @@ class ChecksPart extends Part {
     this.requestUpdate();
   };
 
-  /** What each control makes of the form as it is: a program of so many lines, or why there is none. */
+  /** The result of each control for the present form: the number of program lines, or the reason for no program. */
   private controls(): TemplateResult {
     const { store } = this;
     const now = store.draft.control as { post: string; form: string };

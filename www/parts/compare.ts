@@ -11,7 +11,7 @@ export interface Compared {
   other: number | null;
 }
 
-/** A row of both programs beside each other: what is in the other one, and what in the present one. */
+/** A row of the comparison: the line of the other program and the line of the present one. */
 export type Pair = [Compared | null, Compared | null];
 
 const linesOf = (text: string) => text.replace(/\n$/, "").split("\n");
@@ -33,7 +33,7 @@ export function compare(other: string, present: string): Compared[] {
   );
 }
 
-/** Both programs beside each other: lines that replace others are in the rows of those. */
+/** Both programs beside each other: lines that replace others share their rows. */
 export function beside(lines: Compared[]): Pair[] {
   const pairs: Pair[] = [];
   let [less, more]: [Compared[], Compared[]] = [[], []];

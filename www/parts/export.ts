@@ -51,7 +51,7 @@ export class Export {
     return true;
   }
 
-  /** Saves the form as it is, also with errors: it is the user's work. */
+  /** Saves the present form, also with errors: it is the user's work. */
   job(): void {
     download(
       `${JSON.stringify(this.store.job, null, 2)}\n`,
@@ -60,7 +60,7 @@ export class Export {
     );
   }
 
-  /** Saves the picture as it is looked at, of the form as it is. */
+  /** Saves the picture in its present view, of the present form. */
   picture(): void {
     const { store } = this;
     if (store.withheld !== null) {

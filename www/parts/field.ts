@@ -5,7 +5,7 @@ import { head } from "../features.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
 import { Part } from "./part.js";
 
-/** A field and where its value is in the job. */
+/** A field and the path of its value in the job. */
 export interface Placed {
   field: FieldEntry;
   path: string;
@@ -16,7 +16,7 @@ interface Choice {
   label: string;
   /** Reason why it cannot be chosen here, shown when it is chosen. */
   not?: string;
-  /** The heading that it is under; choices under the same one follow each other. */
+  /** Its heading; choices under the same heading follow each other. */
   under?: string;
 }
 

@@ -4,7 +4,7 @@ import type { Found } from "./shown.js";
 
 /** Looks for words in a text, line by line: a field, and what it found. */
 export class Finder {
-  /** What is in the field. */
+  /** The text in the field. */
   private typed = "";
   /** What is looked for, in small letters. */
   private words = "";
@@ -43,7 +43,7 @@ export class Finder {
     return { matches: new Set(this.lines), here: this.lines[this.at] ?? -1 };
   }
 
-  /** Finds these lines, whatever is in them. */
+  /** Marks these lines as found. */
   give(lines: number[]): void {
     this.look("");
     this.givenFor = this.text();

@@ -81,7 +81,7 @@ class FindingsPart extends Part {
   };
 
   override render(): TemplateResult {
-    // What holds for the control always is at its name.
+    // Findings that hold for the control are shown at its name.
     const { stale } = this.store;
     // The bar marks an unknown probe with a dot.
     const findings = this.store.ofJob.filter(

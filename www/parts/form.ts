@@ -201,7 +201,7 @@ class FormPart extends FormRows {
     return this.updateComplete;
   }
 
-  /** Fields under their headings: the cycle's own first, then what is around it. */
+  /** Fields under their headings: the cycle's own first, then the sections around it. */
   private groups(): [string, Placed[]][] {
     this.optional.clear();
     const { ownFeeds: own, maxTouches } = this.store.cycle;
@@ -338,7 +338,7 @@ class FormPart extends FormRows {
     return this.store.findings.filter(of).map((f) => f.level);
   }
 
-  /** What a drawing says is open at first. */
+  /** Groups with values of a drawing are open at first. */
   private isOpen(name: string): boolean {
     const own = this.store.cycle.fields.some((f) => f.group === name);
     return this.opened.get(name) ?? (this.all || own);

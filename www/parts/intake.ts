@@ -19,7 +19,7 @@ interface Page {
   forCam(): void;
   /** Whether the results are among the panels. */
   showsResults(): boolean;
-  /** Shows the results, where measured points are beside them. */
+  /** Shows the results, with the measured points beside them. */
   showResults(): void;
   /** Shows the moves of a program that says no job. */
   showMoves(viewed: Viewed): void;

@@ -83,7 +83,7 @@ class MeasuredPart extends Part {
     `;
   }
 
-  /** What could be there: a point, or of native cycles a variable with its value. */
+  /** An example of an entry: a point, or for native cycles a variable with its value. */
   private example(): string {
     const kept = this.store.plan.results.find(({ stored }) => stored !== null);
     return kept ? `${kept.stored} = ${kept.nominal ?? 0}` : "37.012, 0, -10";

@@ -1,4 +1,4 @@
-// The panels of the page, what they are called, and from which width on they are beside each other.
+// The panels of the page: their names, and the width from which they are shown side by side.
 import { w } from "../words.js";
 
 export const PANELS = {
@@ -25,5 +25,5 @@ export type PanelName = "stage" | (typeof NAME_OF)[Panel];
 
 /** From this width on the form has a column of its own; the style sheet knows the same width. */
 export const WIDE = 1080;
-/** Below this width picture and panel are on each other; the style sheet knows the same width. */
+/** Below this width the picture is above the panel; the style sheet knows the same width. */
 export const NARROW = 600;

@@ -1,4 +1,4 @@
-// The text of an opened program, line by line. A long one has an editor, which puts only what is seen into the document; it is there plainly until
+// The text of an opened program, line by line. A long one has an editor, which puts only what is seen into the document; it is plain text until
 // that is loaded.
 import { LineList } from "./line-list.js";
 import type { Editor } from "./program-editor.js";
@@ -9,7 +9,7 @@ const NONE: Found = { matches: new Set(), here: -1 };
 /** The text in its box. What changes within a frame is shown at once, in that frame. */
 export class ProgramList {
   private editor?: Editor | LineList;
-  /** What is there until the editor does. */
+  /** Plain text until the editor is loaded. */
   private readonly plain = document.createElement("pre");
   private readonly shown: Shown = {
     text: "",

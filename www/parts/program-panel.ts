@@ -57,13 +57,13 @@ const SEEN =
 /** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
 const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
 
-/** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. What the program asks before the move is below it. */
+/** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. The checks of the program before the move come after it. */
 const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
 
 /** A line that is a comment, or begins a Klartext program. */
 const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 
-/** How long it is said that a program was saved or copied, in milliseconds: the words are where those of a search do. */
+/** How long the note about a saved or copied program is shown, ms: it has the place of the search count. */
 const TOLD = 8000;
 
 /** The block of a native cycle, which makes its moves: not a protected move, the probe's switch, what lies between features, or 1493. */
@@ -230,7 +230,7 @@ class ProgramPart extends Part {
     `;
   }
 
-  /** What the operator reads at the end of the program, as it will be there for the virtual part. */
+  /** The output of the program at its end, for the virtual part. */
   private screen(): TemplateResult | typeof nothing {
     const lines = screenText(this.store);
     if (lines.length === 0) return nothing;
@@ -271,7 +271,7 @@ class ProgramPart extends Part {
   /** The runs of lines that were opened, by their first lines. */
   private readonly opened = new Set<number>();
 
-  /** How many lines are before the first move, or before the first block of a program whose moves the control makes: they are folded. */
+  /** Number of lines before the first move, or before the first block of a program whose moves the control makes: they are folded. */
   private get head(): number {
     const { moveLines, text } = this.store.plan.program;
     const made = moveLines.find((line) => line >= 0);

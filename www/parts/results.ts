@@ -51,7 +51,7 @@ class ResultsPart extends Part {
       : text;
   }
 
-  /** A value within its limits: the middle half of the bar is good, the whisker is ± 2σ. What lies far out is at the edge. */
+  /** A value within its limits: the middle half of the bar is good, the whisker is ± 2σ. A value far out is drawn at the edge. */
   private bar(r: ResultRow): TemplateResult | typeof nothing {
     const { limits, value, uncertainty, said } = r;
     if (!limits || value === null) return nothing;

@@ -1,4 +1,4 @@
-// How large the page is: its panels are beside each other or behind tabs.
+// Size of the page, which decides whether its panels are shown side by side or as tabs.
 import type { LitElement } from "lit";
 import { WIDE } from "./panels.js";
 

@@ -24,7 +24,7 @@ export class Timeline {
   private clock: number | null = null;
   private speed: (typeof SPEEDS)[number] = 1;
   private frameAsked = 0;
-  /** The marks of the touches, as they are on the rail. */
+  /** The marks of the touches on the rail. */
   private marks = "";
 
   /** In the part `box`, which renders it and is rendered again when it has `changed`; `use` draws. */
@@ -61,7 +61,7 @@ export class Timeline {
       </div>`;
   }
 
-  /** Marks the touches on the rail, where the thumb is at them, and in a set-up where a cycle begins. */
+  /** Marks the touches on the rail at the positions of the thumb, and in a set-up the start of each cycle. */
   mark(): void {
     const { count } = this;
     const track = this.box.querySelector<HTMLElement>(".track");

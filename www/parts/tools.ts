@@ -46,7 +46,7 @@ interface Around {
 /** Which of them is shown, and which are loaded. */
 export class Tools {
   now: Tool = "cycles";
-  /** What has been loaded: what is in the page before its class is known would lose what it was given. */
+  /** Loaded parts: an element that is put into the page before its class is known would lose its properties. */
   readonly there = new Set<string>();
 
   constructor(

@@ -257,7 +257,7 @@ class ViewerPart extends DrawnPart {
     `;
   }
 
-  /** The lines that name what is below them, to go there. */
+  /** A list of the lines that name the lines below them, to go there. */
   private headings(): TemplateResult | typeof nothing {
     const outline = this.ran?.run.outline ?? [];
     if (outline.length < 2) return nothing;

@@ -12,7 +12,7 @@ pub(super) struct Flavour {
     pub free: &'static str,
     /// What follows a touch in its block.
     pub touch: &'static str,
-    /// A block that keeps the control from evaluating what is after it until the motion before it is done.
+    /// A block that keeps the control from evaluating later blocks until the motion before it is done.
     pub halt: &'static str,
     /// The block that lets it read ahead again, at the end.
     pub free_again: Option<&'static str>,

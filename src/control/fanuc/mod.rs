@@ -7,7 +7,7 @@
 //! block of G31 raise the alarm in the control itself; the comparison follows, too.
 //! #5043 and #5063 have the length of the tool in them, but for Fanucs with parameter 6014 bit 4 set: so the program takes the length from the
 //! tool table, and the first move whose end it knows in Z shows which of the two it is. A macro statement is evaluated while the motion
-//! before it still runs: a block is between the two.
+//! before it still runs: a block separates the two.
 //!
 //! Ours, and marked [I] in the docs: that comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not
 //! verified on a control, [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, IF … THEN, common variables up to #149, #5221… as the origin that a program may write.

@@ -119,7 +119,7 @@ impl<'t> Blocks<'t> for Program<'_> {
         }
         if program_number(code.as_bytes()).is_some() {
             targets.depends = true;
-            // Its own number is above its blocks.
+            // The program number comes before its blocks.
             if self.numbered || !script.blocks.is_empty() {
                 return fault(text!("another program begins here"));
             }
@@ -246,7 +246,7 @@ fn printing(script: &mut Script<'_>, line: usize, printed: &str) -> Parsed<()> {
     Ok(())
 }
 
-/// What is after the name of a variable: its value, or an alarm.
+/// The part after the name of a variable: its value, or an alarm.
 fn assignment<'t>(
     name: &'t [u8],
     cursor: &mut Cursor<'t>,

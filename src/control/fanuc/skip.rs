@@ -648,7 +648,7 @@ impl Skip<'_> {
         }
     }
 
-    /// What is after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
+    /// The exits after the end of the program: a contact with a retract, one without, a missed touch, and a state in which nothing may move.
     fn exits(&self, w: &mut Writer<'_>, first: &Move) {
         let top = self.request.highest().z;
         let height = Self::number(w, top);

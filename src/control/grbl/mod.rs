@@ -298,7 +298,7 @@ impl Moves for Grbl<'_> {
     }
 }
 
-/// To the first place: in the plane at the height where the stylus is, then down. grbl cannot ask where that is.
+/// Approach to the first position: in the plane at the present height, then down. grbl cannot read that height.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     let stated = request.feeds.rate(step.feed);
     let feed = |w: &Writer<'_>, rate: Option<f64>| match rate {

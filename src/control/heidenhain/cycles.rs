@@ -164,7 +164,7 @@ impl Cycle<'_, '_> {
         })
     }
 
-    /// From where it is to both sides.
+    /// Touches to both sides of the present position.
     fn width(&mut self) -> Result<(), Alarm> {
         let (start, axis) = (self.of.center, self.of.along());
         let across = if axis == Vec3::X { Vec3::Y } else { Vec3::X };

@@ -406,7 +406,7 @@ impl Plan<'_> {
         let half = sizes[0] / 2.0;
         let off = match (pairs.internal, writes) {
             (true, true) => (half - self.aside(set_up)).max(0.0),
-            // From where it is to both sides.
+            // Touches to both sides of the present position.
             (true, false) => 0.0,
             (false, _) => half + self.aside(set_up),
         };

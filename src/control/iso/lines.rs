@@ -76,7 +76,7 @@ pub fn lines<'t>(
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let hidden_any = hides(text);
     let mut begun = false;
-    // Whether something is in front of a carriage return that no line feed has followed yet.
+    // Whether a carriage return without a line feed has text before it.
     let mut returned = false;
     let mut rest = text;
     for line in 0.. {
@@ -111,7 +111,7 @@ pub fn lines<'t>(
             continue;
         }
         let trimmed = trimmed(full);
-        // grbl ends a line there, LinuxCNC does not: `;\r` would hide from it what is behind.
+        // grbl ends a line there, LinuxCNC does not: `;\r` would hide the rest of the line from it.
         if returned && !trimmed.is_empty() {
             let message =
                 text!("a carriage return without a line feed: not every control ends a line there");
@@ -124,7 +124,7 @@ pub fn lines<'t>(
             continue;
         }
         returned = (returned || !trimmed.is_empty()) && returns;
-        // A tape sign is before a program and after it: what is after another is not loaded.
+        // A tape sign starts a program and ends it: text after the second one is not loaded.
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
                 troubles.push(Trouble {
@@ -188,7 +188,7 @@ fn later<'t>(
         .map_or(Ok(()), |later| reader.later(script, targets, later))
 }
 
-/// Whether what is behind a tape sign is no code: nothing, a comment, a number, or the name of an archive, `_N_PART_MPF`.
+/// Whether the text after a tape sign is no code: empty, a comment, a number, or the name of an archive, `_N_PART_MPF`.
 fn is_tape_name(behind: &str) -> bool {
     let Ok((code, _)) = split_comment(behind, b'(') else {
         return false;

@@ -313,7 +313,7 @@ fn pair(hash: u32) -> usize {
     hash as usize % (LINES / 2) * 2
 }
 
-/// Where a part is in its line.
+/// Position of a part in its line.
 fn part_of(text: &str, part: &[u8]) -> Option<Part> {
     if part.is_empty() {
         return Some((0, 0));

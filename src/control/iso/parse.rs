@@ -19,7 +19,7 @@ pub struct Grammar {
     /// Whether places and feeds must have a decimal point: without one they count in the smallest step of the control.
     pub points: bool,
     pub names: Names,
-    /// What is between two values beside + - * /: the word, how tightly it binds (0 least), and what it does.
+    /// Binary operators other than + - * /: the word, how tightly it binds (0 least), and its function.
     pub operators: &'static [(&'static str, u8, Binary)],
     /// What the control knows under a name, where it is no variable of the program.
     pub system: fn(&[u8]) -> Option<System>,
@@ -139,7 +139,7 @@ impl<'t> Cursor<'t> {
         self.from(self.at())
     }
 
-    /// What is from a place on, in part, for a message.
+    /// Start of the text at a position, for a message.
     pub(super) fn from(&self, at: usize) -> String {
         printable(
             &String::from_utf8_lossy(&self.text[at..])

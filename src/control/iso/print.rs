@@ -12,7 +12,7 @@ pub trait Notation {
     fn variable(&self, formula: &Formula, index: usize, out: &mut String);
     /// Writes coordinate `axis` of a sample's trigger.
     fn trigger(&self, sample: usize, axis: usize, out: &mut String);
-    /// What is before, between and after the two parts of the angle of the vector (x, y), y first.
+    /// Texts before, between and after the two operands of the angle of the vector (x, y), y first.
     const ATAN: [&'static str; 3];
     /// How many decimals a constant has at most: with 12, half a turn of a 10 m part moves by less than 1e-8 mm.
     fn decimals(&self, _x: f64) -> usize {

@@ -227,7 +227,7 @@ impl Registers {
             .map_or(0, |(_, register)| *register)
     }
 
-    /// What is where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
+    /// List of the registers for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
     /// the control calls one.
     pub fn lines(
         &self,

@@ -12,13 +12,13 @@ use crate::text::Text;
 /// What controls take as a blank.
 pub const BLANKS: [char; 2] = [' ', '\t'];
 
-/// A line that is not understood, or does not work where it is.
+/// A line that is not understood, or does not work at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trouble {
     /// 0-based.
     pub line: usize,
     pub message: Text,
-    /// Whether the line itself is understood, and does not work where it is.
+    /// Whether the line itself is understood but does not work at its place.
     pub understood: bool,
 }
 
@@ -27,7 +27,7 @@ pub struct Trouble {
 pub struct NodeId(NonZeroU32);
 
 impl NodeId {
-    /// The value that is by so many later in the list; past its end it wraps around.
+    /// The value this many places later in the list; past the end it wraps around.
     pub fn shifted(self, by: u32) -> Self {
         NodeId(NonZeroU32::new(self.0.get().wrapping_add(by)).unwrap_or(NonZeroU32::MAX))
     }
@@ -272,7 +272,7 @@ pub struct Script<'t> {
     names: HashMap<Cow<'t, [u8]>, Slot, FxBuildHasher>,
     /// The variables beyond [`USUAL_NAMES`].
     more_names: BTreeMap<Cow<'t, [u8]>, Slot>,
-    /// The variables that the line asked for which is being read, by the names that are there.
+    /// Variables of the line that is being read, by their names.
     pub asked: Vec<(Slot, &'t [u8])>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
@@ -413,7 +413,7 @@ impl<'t> Script<'t> {
             .splice(at..at, blocks.into_iter().map(|kind| Block { line, kind }));
     }
 
-    /// The results go out where they are at the end.
+    /// The results are read at the end, from their variables.
     pub fn give_results(&mut self) {
         let end = self
             .blocks

@@ -23,7 +23,7 @@ pub struct Targets<'t> {
     pub later: Option<Later<'t>>,
     /// Whether that line does something that depends on more than its text: it is not kept.
     pub depends: bool,
-    /// Where the lines are, if that changes what one means: 0 or 1.
+    /// Position of the lines, if it changes their meaning: 0 or 1.
     pub place: u8,
 }
 
@@ -31,7 +31,7 @@ pub struct Targets<'t> {
 const TWICE: u32 = u32::MAX;
 
 impl Targets<'_> {
-    /// Puts the targets in. Each must be there once; `below` is whether it has to be below the jump.
+    /// Puts the targets in. Each must exist once. `below`: whether it must come after the jump.
     pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
         let mut troubles = Vec::new();
         let names: Vec<Vec<u8>> = self

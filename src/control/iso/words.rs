@@ -37,7 +37,7 @@ struct Block {
     halts: bool,
     allowed: &'static str,
     extended: Option<i32>,
-    /// Which other letters are there: a bit each, A the lowest.
+    /// The other letters of the block: one bit each, A the lowest.
     others: u32,
     /// The values of L, P and R.
     values: [Option<NodeId>; 3],

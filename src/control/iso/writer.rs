@@ -30,7 +30,7 @@ pub struct Dialect {
     pub modes: &'static str,
     /// Whether a program that is read back must state exact stop by G61.
     pub exact_stop: bool,
-    /// What is before and behind a place that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
+    /// Texts before and after a coordinate that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
     pub shifted: (&'static str, &'static str),
     /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
     pub arcs: &'static str,
@@ -64,7 +64,7 @@ pub struct Writer<'a> {
     lines: usize,
     blocks: usize,
     move_lines: Vec<Option<usize>>,
-    /// Of each axis, the number of where the ball is, as a block has named it last or the job states it.
+    /// Coordinate of the ball along each axis, from the last block that names it, or from the job.
     last: [Digits; 3],
     /// The coordinates that these are the numbers of, mm: a number is not made twice.
     last_mm: Vec3,
@@ -368,7 +368,7 @@ impl<'a> Writer<'a> {
         self.straight(word, step.to - touch.vector * touch.search, all, Some(rate));
     }
 
-    /// A positioning move along an arc from where the ball is, with an incremental centre.
+    /// A positioning move along an arc from the present position, with an incremental centre.
     pub fn arc(&mut self, from: Vec3, step: &Move, arc: &Arc, rate: Option<f64>) {
         let word = if arc.sweep > 0.0 { "G3" } else { "G2" };
         let words = self.goes_to(step.to, false);
@@ -467,7 +467,7 @@ impl<'a> Writer<'a> {
         (self.last, self.last_mm) = ([const { Digits::NONE }; 3], Vec3::NAN);
     }
 
-    /// What a block has named is until the next one.
+    /// A value that a block states is valid until the next one.
     fn keep(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) {
         for (i, number) in numbers.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
             self.last[i] = number;
@@ -552,7 +552,7 @@ impl<'a> Writer<'a> {
 /// The words of the incremental centre of an arc.
 const CENTER: [&str; 3] = [" I", " J", " K"];
 
-/// What is added to the numbers of a block along each axis, and what is before and behind such a sum.
+/// Terms added to the coordinates of a block, by axis, with the texts before and after such a sum.
 struct ShiftWords<'a> {
     of: &'a [String; 3],
     before: &'static str,
@@ -629,7 +629,7 @@ fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     line(rest);
 }
 
-/// Where the job says that the stylus is, and the first move, where that goes across at the stated height.
+/// Start position of the job, and the first move if it goes across at that height.
 pub fn across_from_stated<'p>(request: &Request<'p>) -> Option<(Vec3, &'p Move)> {
     let (start, first) = (request.path.start?, request.path.moves.first()?);
     (upwards(request, Some(start), first.to) == 0).then_some((start, first))

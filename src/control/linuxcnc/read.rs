@@ -29,7 +29,7 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// `#5061` and its kin. `#<_task>` is 1 where a program runs on the machine, and 0 where it is only drawn. Rotation and origin of the work offsets are from #5220 on, twenty apart.
+/// `#5061` and its kin. `#<_task>` is 1 where a program runs on the machine, and 0 where it is only drawn. Origin and rotation of the work offsets start at #5220, twenty apart.
 fn system(name: &[u8]) -> Option<System> {
     if let [b'#', b'<', name @ ..] = name {
         return match name {
@@ -110,7 +110,7 @@ impl<'t> Blocks<'t> for Program<'t> {
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;
             let slot = script.slot(name);
-            // Above 5000 are the control's own; #5599 only says whether messages are shown. Which one #[…] is comes out only where it runs.
+            // Variables above 5000 belong to the control; #5599 only says whether messages are shown. Which one #[…] is comes out only where it runs.
             let own = match parse::whole(&name[1..]) {
                 Some(1..=30) if in_sub => {
                     return fault(text!(

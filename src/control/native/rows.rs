@@ -305,7 +305,7 @@ pub type Words = &'static [(u16, Is)];
 #[derive(Debug)]
 pub struct Row {
     pub number: u16,
-    /// What is behind the number in its block.
+    /// Text after the number in its block.
     pub head: &'static str,
     pub shape: Shape,
     pub inside: bool,

@@ -108,7 +108,7 @@ pub fn begins(path: &Path) -> Option<Vec3> {
     path.searches().next().and_then(|(_, from, _)| from)
 }
 
-/// Where a documented cycle is before it goes anywhere else: the end of its first steps.
+/// Position of a documented cycle after its first steps, before it moves elsewhere.
 pub fn start(path: &Path) -> Option<Vec3> {
     path.moves
         .iter()

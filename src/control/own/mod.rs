@@ -64,7 +64,7 @@ pub struct OwnCycles {
     pub name: fn(Stored) -> String,
     /// Whether they can correct a tool offset from a measured size.
     pub corrects_tools: bool,
-    /// How several of them are in one program.
+    /// How one program contains several of them.
     pub several: Several,
 }
 

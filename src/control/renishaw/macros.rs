@@ -1,4 +1,4 @@
-//! The moves of each macro, by its arguments and from where the stylus is: facts of the macros' own behaviour, version 3.14 for Haas NGC [S]; their
+//! Moves of each macro, from its arguments and the stylus position: facts of the macros' own behaviour, version 3.14 for Haas NGC [S]; their
 //! feeds and the way back between the two touches are settings of an installation [I: those of that edition].
 
 use crate::control::own::machine::{Alarm, Kind, Machine};

@@ -17,11 +17,11 @@ use crate::text::text;
 /// How a control's programs call the macros.
 #[derive(Debug)]
 pub(in crate::control) struct Calls {
-    /// What is before the number of a macro.
+    /// Text before the number of a macro.
     pub call: &'static str,
     /// By how much its numbers are lower than those of the others.
     pub lower: u32,
-    /// What is before a letter, and between it and its value.
+    /// Texts before a letter, and between the letter and its value.
     pub letter: (&'static str, &'static str),
     /// Whether macros switch the probe: elsewhere the control does.
     pub switches: bool,

@@ -125,7 +125,7 @@ impl<'a> Program<'a> {
         made::begins(self.request.path).unwrap_or(self.first)
     }
 
-    /// Where the documented cycle is before it goes anywhere else: the end of its first steps.
+    /// Position of the documented cycle after its first steps, before it moves elsewhere.
     fn start(&self) -> Vec3 {
         made::start(self.request.path).unwrap_or(self.first)
     }

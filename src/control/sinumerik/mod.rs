@@ -469,7 +469,7 @@ fn report<'f>(
     }
 }
 
-/// What is before the first move. Nothing has moved when one of the checks says no.
+/// Checks before the first move: nothing has moved if one of them fails.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
     w.header(&does::line(request, written));
     w.comment_approach();

@@ -119,7 +119,7 @@ impl<'t> Blocks<'t> for Program {
             targets.depends = true;
             self.second_input.get_or_insert(line);
         }
-        // What is before a program in an archive.
+        // Lines before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
         }
@@ -260,7 +260,7 @@ fn block<'t>(
     Ok(())
 }
 
-/// Whether a block begins with a G code: what is there with an equals sign is the place of an axis.
+/// Whether a block begins with a G code: a word with an equals sign is the position of an axis.
 fn begins_with_code(code: &str) -> bool {
     code.strip_prefix('G')
         .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
@@ -309,7 +309,7 @@ fn assignment<'t>(
     }
 }
 
-/// `MSG(…)`, `SETAL(65000)`, `CYCLE977(…)` and `CYCLE978(…)` with all their arguments. Nothing is behind its bracket.
+/// `MSG(…)`, `SETAL(65000)`, `CYCLE977(…)` and `CYCLE978(…)` with all their arguments. Nothing follows the bracket.
 fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str) -> Parsed<()> {
     let mut cursor = Cursor::new(arguments);
     let what = match name {

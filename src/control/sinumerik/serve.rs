@@ -137,7 +137,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Where the documented cycle begins its first touch, and where it is before.
+    /// Start of the first touch of the documented cycle, and the position before it.
     fn begins(&self) -> Vec3 {
         made::begins(self.request.path).unwrap_or(self.first)
     }
@@ -277,7 +277,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// CYCLE978 from where the stylus is. `codes` are those of the coordinates of the contact.
+    /// CYCLE978 from the stylus position. `codes` are those of the coordinates of the contact.
     fn touches_surface(
         &mut self,
         touch: &Touch,

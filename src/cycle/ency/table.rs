@@ -26,7 +26,7 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 }
 
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
-/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance is after its touches.
+/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance follows its touches.
 pub(super) fn table(
     (def, kind_name): (&CycleDef, &'static str),
     values: &[(&'static Field, Shown)],

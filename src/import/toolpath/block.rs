@@ -138,7 +138,7 @@ pub(super) struct Block {
     pub jumps: bool,
     /// It names a code that makes no place of its axis words.
     pub foreign: Foreign,
-    /// An M code is first in it, and its axis words may be that code's: unless it names a motion.
+    /// The block starts with an M code, and its axis words may belong to that code, unless it names a motion.
     pub led: Foreign,
     /// Where the name of that code begins and ends in its line.
     pub name: [usize; 2],

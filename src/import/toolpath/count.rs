@@ -4,7 +4,7 @@
 #[derive(Clone, Default)]
 pub(super) struct Count {
     pub times: usize,
-    /// Its lines; one that repeats at once is there once.
+    /// Its lines; a line that repeats immediately is listed once.
     pub lines: Vec<u32>,
 }
 

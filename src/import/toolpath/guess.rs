@@ -6,7 +6,7 @@ use crate::control::iso::lex::{
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
 
-/// What is in programs of a SINUMERIK alone.
+/// Signs of a SINUMERIK program.
 const ALONE: [&str; 12] = [
     "MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(",
     "=DC(",
@@ -18,7 +18,7 @@ const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
 /// Words of its structures: elsewhere they are O words.
 const ENDS: [&[u8]; 4] = [b"ENDIF", b"ENDWHILE", b"ENDFOR", b"ENDLOOP"];
 
-/// Axes that are assigned, and codes of units that they are beside on a SINUMERIK: G70, G710 …
+/// Assigned axes, and the codes of units beside them on a SINUMERIK: G70, G710 …
 const AXES: [&str; 3] = ["X=", "Y=", "Z="];
 const UNITS: [&str; 2] = ["G70", "G71"];
 

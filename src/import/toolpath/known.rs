@@ -72,7 +72,7 @@ pub struct Known<'t> {
     pub zero: bool,
     /// Values of variables, by their names in the text: `#3014`, `#<_name>`, `R1`, `Q1`.
     pub set: Vec<(&'t str, f64)>,
-    /// Where the stylus is before the first block, in the program's first units; NaN where that is not known.
+    /// Position of the stylus before the first block, in the program's first units; NaN is not known.
     pub start: Option<[f64; 3]>,
     /// Where touches trigger.
     pub touch: Trip,

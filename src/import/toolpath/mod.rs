@@ -449,7 +449,7 @@ struct Run<'t> {
     text: &'t str,
     /// Where the program itself ends: what is below may be called.
     end: usize,
-    /// Where the stylus is before the first block.
+    /// Position of the stylus before the first block.
     start: [f64; 3],
     reader: Reader,
     calls: Calls<'t>,

@@ -63,7 +63,7 @@ impl Reader {
         }
     }
 
-    /// A move ends where the stylus is now: what kind of move.
+    /// Adds a move that ends at the present position; returns its kind.
     #[inline]
     pub fn arrives(&mut self, motion: Motion) -> u8 {
         let kind = match motion {

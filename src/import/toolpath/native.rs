@@ -53,7 +53,7 @@ pub struct NativeArgument {
     pub range: Option<String>,
 }
 
-/// Lists a call, and gives what it is. `arguments` are names and values, and `place` is where the stylus is, in the program's units; NaN is not known.
+/// Lists a call and returns its kind. `arguments`: names and values. `place`: position of the stylus in the program's units; NaN is not known.
 pub(super) fn listed(
     path: &mut Toolpath,
     line: usize,
@@ -182,7 +182,7 @@ pub(super) fn q_parameters(text: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// What is between the commas of `CYCLE977(1101,,,1,…)`, by its place from 1; what is left out is not there.
+/// The arguments of `CYCLE977(1101,,,1,…)` by their places from 1, without empty ones.
 pub(super) fn places(code: &[u8]) -> Vec<(String, f64)> {
     let Some(open) = code.iter().position(|b| *b == b'(') else {
         return Vec::new();

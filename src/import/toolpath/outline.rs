@@ -10,7 +10,7 @@ use crate::form::printable;
 /// So many headings are listed.
 const MOST: usize = 1000;
 
-/// A line that names what is below it.
+/// A line that names the lines below it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Heading {
     /// Its 0-based line.

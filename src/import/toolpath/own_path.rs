@@ -1,4 +1,4 @@
-//! The moves of native cycles, where they are known, in a run that knows where the stylus is: Renishaw's macros, measuring cycles of a SINUMERIK.
+//! The moves of native cycles, where they are known, in a run that knows the stylus position: Renishaw's macros, measuring cycles of a SINUMERIK.
 
 use crate::control::native::{self, Unit};
 use crate::control::own::machine::{Alarm, IN_POSITION, Kind, Machine, Made, Met};
@@ -87,7 +87,7 @@ impl Reader {
         })
     }
 
-    /// Whether it is known where the stylus is.
+    /// Whether the position of the stylus is known.
     fn knows_place(&self) -> bool {
         !self.place.iter().any(|x| x.is_nan())
     }

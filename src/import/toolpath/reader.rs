@@ -73,7 +73,7 @@ pub(super) struct Reader {
     pub is_up: bool,
     /// How many calls are under way.
     pub depth: usize,
-    /// Between `sub` and `endsub`: what is there runs where it is called.
+    /// Between `sub` and `endsub`: these lines run at their call.
     pub inside: bool,
     /// How many conditions are open.
     pub conditions: usize,
@@ -149,7 +149,7 @@ pub(super) struct Reader {
     pub collisions: [Count; 2],
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<Named>,
-    /// The line of the first units, where moves are above it.
+    /// The line of the first units, if moves come before it.
     pub late_units: Option<usize>,
 }
 
@@ -267,7 +267,7 @@ impl Reader {
         self.modes.plane.unwrap_or_default().axes()[2]
     }
 
-    /// Where the stylus is, in the units that the program has now.
+    /// Position of the stylus in the present units of the program.
     pub fn here(&self) -> [f64; 3] {
         self.place.map(|x| x / self.modes.scale)
     }
@@ -462,7 +462,7 @@ impl Reader {
                 block.ends = true;
             }
         }
-        // An end that may be jumped over, or that is in a condition, ends nothing here.
+        // An end inside a condition, or one that a jump may skip, ends nothing here.
         self.ended = block.ends && !leaped && self.conditions == 0;
         if block.offset.is_some()
             | block.writes

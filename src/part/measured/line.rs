@@ -17,7 +17,7 @@ pub enum Item {
     },
     /// `WCO:`: machine less work coordinates.
     Shift(Vec3),
-    /// Where the machine is idle, in machine or in work coordinates.
+    /// Position of the idle machine, in machine or work coordinates.
     Stands { place: Vec3, work: bool },
     /// `[G54:x,y,z]`, 1 = G54.
     Offset(u8, Vec3),
@@ -85,7 +85,7 @@ pub fn items(line: &str) -> Vec<Item> {
     found
 }
 
-/// A line without what is in parentheses.
+/// A line without the text in parentheses.
 pub fn without_comments(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
@@ -111,7 +111,7 @@ pub fn offset_alone(line: &str) -> Option<u8> {
 }
 
 /// X, Y and Z of a line that has these words and no others: `X1.2 Y3.4 Z5.6`, in any order, also `X=1.2` and with blanks between letter, sign and
-/// digits. A name and a count may be in front: `TOUCH 1 X…`. None for any other line.
+/// digits. A name and a count may come first: `TOUCH 1 X…`. `None` for any other line.
 pub fn letters(line: &str) -> Option<[f64; 3]> {
     let begin = line.char_indices().find(|(at, c)| {
         let before = line[..*at].chars().next_back();
@@ -149,7 +149,7 @@ pub fn letters(line: &str) -> Option<[f64; 3]> {
     Some([found[0]?, found[1]?, found[2]?])
 }
 
-/// The number that a text begins with, and what follows: blanks may be in front of it and behind its sign, as DPRNT prints them.
+/// The number that a text begins with, and what follows: blanks may come before the number and after its sign, as DPRNT prints them.
 pub fn number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim_start_matches([' ', '\t']);
     let (sign, digits) = match text.as_bytes().first()? {
@@ -183,10 +183,10 @@ fn place<'a>(text: &'a str, ends: &[char]) -> Option<(Vec3, &'a str)> {
     (rest.is_empty() || rest.starts_with(ends)).then_some((Vec3::new(x, y, z), rest))
 }
 
-/// Of what is in front of a report, so many characters are looked at.
+/// Number of characters before a report that are examined.
 const LONGEST_PREFIX: usize = 60;
 
-/// A report of a touch, from what is before and behind its `PRB:`.
+/// A report of a touch, from the text before and after its `PRB:`.
 fn touch(before: &str, after: &str) -> Item {
     let read = || {
         let (place, rest) = place(after, &[':'])?;
@@ -268,7 +268,7 @@ fn settings(line: &str, found: &mut Vec<Item>) {
     }
 }
 
-/// What a status report says, and a `WCO:` that is alone.
+/// The values of a status report, or of a single `WCO:`.
 fn status(line: &str, found: &mut Vec<Item>) {
     let of = |key: &str| {
         line.split_once(key)
@@ -306,7 +306,7 @@ fn report(text: &str, [open, close]: [u8; 2]) -> Option<usize> {
     (text.as_bytes()[end] == close).then_some(end)
 }
 
-/// A line without what is in brackets or is a status report.
+/// A line without texts in brackets and status reports.
 fn without_reports(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
@@ -324,7 +324,7 @@ fn without_reports(line: &str) -> String {
     out + rest
 }
 
-/// The words of a block that a line ends with, whatever is in front of it; `None` if it holds no block. What follows a semicolon, and an `ok`,
+/// The words of a block at the end of a line, after any other text; `None` if it holds no block. What follows a semicolon, and an `ok`,
 /// are not of it; `$N0=G54` keeps a block for later.
 fn block(line: &str) -> Option<Vec<(char, f64)>> {
     let line = line

@@ -67,7 +67,7 @@ impl Log {
         log
     }
 
-    /// The touches that count: line, place, `None` if it missed, and what is in front.
+    /// The touches that count: line, position (`None` for a missed touch), and the text before it.
     pub fn touched(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &str)> {
         self.touches.iter().filter_map(|at| match &self.items[*at] {
             (

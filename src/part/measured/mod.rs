@@ -43,7 +43,7 @@ pub struct Measured {
 pub struct Stand {
     /// The work offset in which the touches were made, 1 = G54; `None` if the log does not say.
     pub offset: Option<u8>,
-    /// Why the machine may not be where the program ends; `None` if nothing in the log speaks against it.
+    /// Reason to doubt that the machine is at the end of the program; `None` if the log gives none.
     pub away: Option<Text>,
 }
 
@@ -159,7 +159,7 @@ enum Form {
 }
 
 impl Form {
-    /// `None` if a line is none of these: plain numbers, or no measurement.
+    /// `None` for plain numbers, and for a line without a measurement.
     fn of(text: &str, expected: &Expected<'_>) -> Option<Form> {
         let bare = line::without_comments(text);
         if bare.contains("PRB:") {

@@ -5,7 +5,7 @@ use crate::geom::Vec3;
 use crate::part::measured::{Numbered, line, unclear};
 use crate::text::text;
 
-/// Reads a list of `[X, Y, Z]` or `{x, y, z}`, mm. Reports every problem at `measured[i]`; `None` is where no point could be read.
+/// Reads a list of `[X, Y, Z]` or `{x, y, z}`, mm. Reports every problem at `measured[i]`; `None` for an entry that could not be read.
 pub fn list(checker: &mut Checker, items: &[Value]) -> Vec<Option<Vec3>> {
     items
         .iter()

@@ -35,7 +35,7 @@ fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
     }
 }
 
-/// A name and what is behind its equals sign.
+/// A name and the text after its equals sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<'a> {
     name: &'a str,
@@ -43,7 +43,7 @@ pub struct Pair<'a> {
     value: Option<f64>,
 }
 
-/// Every `name=number` of a line, without what is in parentheses. What computes (`#1`, `[`) is a block of a program and no pair.
+/// Every `name=number` of a line, without texts in parentheses. A value that computes (`#1`, `[`) belongs to a block of a program.
 pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     let mut found = Vec::new();
     let mut rest = line;
@@ -74,7 +74,7 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     found
 }
 
-/// The number that a text begins with, and what follows. A control may show it with a decimal comma, `-59,98`: digits are on both sides of it, and nothing
+/// The number that a text begins with, and what follows. A control may show it with a decimal comma, `-59,98`: it has digits on both sides, and nothing
 /// directly behind.
 fn number(text: &str) -> Option<(f64, &str)> {
     let (whole, rest) = line::number(text)?;
@@ -133,7 +133,7 @@ pub fn known(line: &str, expected: &Expected<'_>) -> bool {
         .any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
 }
 
-/// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may be in the text and are not read.
+/// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may occur in the text and are not read.
 pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
     let (defs, codes) = (&expected.path.formula.results, codes(expected));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];

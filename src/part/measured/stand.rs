@@ -6,10 +6,10 @@ use crate::part::measured::log::Log;
 use crate::part::measured::offset::Shift;
 use crate::text::{Text, text};
 
-/// As far from the end of the program, in mm, the machine still is there: its steps are rounded.
+/// Distance from the end of the program, mm, within which the machine counts as being there: its steps are rounded.
 const ROUNDED: f64 = 0.05;
 
-/// Why the machine may not be where the program ends; `None` if nothing in the log speaks against it. `scale` is mm in a unit of the log.
+/// Reason to doubt that the machine is at the end of the program; `None` if the log gives none. `scale` is mm in a unit of the log.
 pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Option<Text> {
     let (first, last) = (*log.touches.first()?, *log.touches.last()?);
     let mut ended = false;

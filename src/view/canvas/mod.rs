@@ -93,12 +93,12 @@ pub fn axis_at(scene: &Scene, camera: &Camera, at: Vec2) -> Option<&'static str>
     Some(found.map_or("isometric", |(_, view)| view))
 }
 
-/// Where the handle that turns the part is: so many pixels from the one that shifts it.
+/// Distance of the handle that turns the part from the one that shifts it, pixels.
 pub fn turning(shifting: Vec2, direction: Vec2) -> Vec2 {
     shifting + direction * DOWNWARDS * 64.0
 }
 
-/// Where the handles of the first touch's angle and of the spread's end are: outside the circle and the numbers of its touches, one further out
+/// Positions of the handles of the first touch's angle and of the spread's end: outside the circle and the numbers of its touches, one further out
 /// than the other, so that a whole turn shows both.
 pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
     let (center, radius, start, sweep) = scene.spread?;
@@ -184,7 +184,7 @@ impl Painter {
         }
     }
 
-    /// Begins a picture: fills the canvas with the background, and sets the font; texts are about their middle.
+    /// Begins a picture: fills the canvas with the background, and sets the font; texts are centred.
     fn begin(&self, camera: &Camera, font: &'static str) {
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
@@ -311,7 +311,7 @@ impl Painter {
         }
     }
 
-    /// The moves and the touches that nothing is before.
+    /// The moves and touches that nothing hides.
     fn moves(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         if is_long(scene) {
             self.long(scene, camera);
@@ -387,7 +387,7 @@ impl Painter {
                     pen.widths[0].min(2.5),
                 );
             }
-            // Names are beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
+            // Names are placed beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
             let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
             let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
             let mut at = end + way * beyond + way.perp() * aside;

@@ -1,4 +1,4 @@
-//! What is around what is drawn: handles, the work origin and its axes, the scale.
+//! Surroundings of the drawing: handles, the work origin and its axes, the scale.
 
 use super::{AXIS_NAME, BOLD, HANDLE, Painter, axes_corner, spread_handles, turning};
 use crate::geom::Vec2;

@@ -40,7 +40,7 @@ struct Piece {
     far: bool,
 }
 
-/// The material around the walls of a path that nothing is whole behind. `spot` is where a place is seen, `towards` the direction to who looks.
+/// The material around the walls of a path that hide nothing whole. `spot` projects a position, `towards` is the direction to the viewer.
 pub(super) fn blocks(path: &Path, towards: Vec3, spot: impl Fn(Vec3) -> Vec2) -> Vec<Block> {
     let pieces = pieces(path, towards);
     let mut faces = Vec::new();

@@ -223,7 +223,7 @@ struct Look<'a> {
     towards: Vec3,
 }
 
-/// A wall, and how far towards who looks it is.
+/// A wall and its distance towards the viewer.
 type Standing = (f64, WallShape);
 
 impl Look<'_> {
@@ -257,7 +257,7 @@ impl Look<'_> {
         }
     }
 
-    /// A surface as it is seen. The strips of a round one are together, to be drawn in one.
+    /// A surface as it is seen. The strips of a round one stay together, to be drawn in one.
     fn surface(&self, surface: &Surface) -> Vec<Standing> {
         match surface {
             Surface::Flat(wall) => vec![(wall.point.dot(self.towards), self.shape(wall))],

@@ -93,7 +93,7 @@ pub struct Line {
     pub rapid: bool,
     /// Whether it is the way back from a touch.
     pub back: bool,
-    /// What is before it: that with this top side.
+    /// Top side of the body that hides it.
     pub behind: Option<usize>,
     /// Whether it is drawn pale: from the top it runs so high that nothing of the part is near it, or belongs to a cycle that is not active.
     pub pale: bool,
@@ -115,11 +115,11 @@ pub struct TouchShape {
     pub named: Option<String>,
     /// Whether it is drawn pale: it belongs to a cycle that is not active.
     pub pale: bool,
-    /// Where its number is: a direction away from the material.
+    /// Direction away from the material, in which its number is placed.
     pub inward: Vec2,
     /// Index of the move that makes it.
     pub index: Option<usize>,
-    /// What is before its ball: that with this top side.
+    /// Top side of the body that hides its ball.
     pub behind: Option<usize>,
 }
 
@@ -140,7 +140,7 @@ pub struct Drawn {
     pub field: &'static str,
     /// Its ends on the part.
     pub ends: [Vec2; 2],
-    /// The side on which its line is.
+    /// The side of its line.
     pub aside: Vec2,
     /// Whether the other side is as good.
     pub either: bool,

@@ -179,7 +179,7 @@ impl Backs {
         Backs(backs)
     }
 
-    /// What is before a line: where all of it is beyond one of its far sides, it hides nothing of it.
+    /// The bodies in front of a line: one that lies wholly beyond a far side hides nothing of it.
     pub(super) fn before(&self, ends: [Vec3; 2]) -> Option<usize> {
         let beyond = |(point, out, _): &&(Vec3, Vec3, usize)| {
             ends.iter().all(|at| (*at - *point).dot(*out) > -1e-6)

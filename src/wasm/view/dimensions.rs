@@ -1,4 +1,4 @@
-//! The dimensions of a picture: from where they are seen, where they are, what is written at a pixel.
+//! The dimensions of a picture: their views, their positions, and the text at a pixel.
 
 use js_sys::Array;
 use wasm_bindgen::prelude::*;

@@ -198,7 +198,7 @@ fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
     assert_eq!(verdict(&rows).as_deref(), Some("good"));
 }
 
-/// By hand: the ball goes down 2 mm before the wall (SET_UP 2), and DIST is 10. A stud of 24 or a hole of 16 instead of 20 is there, and so does
+/// By hand: the ball goes down 2 mm before the wall (SET_UP 2), and DIST is 10. A stud of 24 or a hole of 16 instead of 20 reaches that place, and so does
 /// an object 2 mm aside; a hole of 36.1 is 10.05 away.
 #[test]
 fn a_tolerance_that_the_path_does_not_leave_room_for_is_said() {

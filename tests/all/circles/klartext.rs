@@ -1,4 +1,4 @@
-//! The block of 1411 as HEIDENHAIN controls have it: read as it is, and written again.
+//! The block of 1411 as HEIDENHAIN controls have it: read unchanged, and written again.
 
 use super::{holes, text};
 use crate::common::import;
@@ -45,7 +45,7 @@ fn block_lines(program: &str) -> Vec<String> {
         .collect()
 }
 
-/// The manual's own example is read as it is, and written again letter by letter. Its diameters of 0 cannot be probed, so
+/// The manual's own example is read unchanged, and written again letter by letter. Its diameters of 0 cannot be probed, so
 /// they are made 10 and the points put apart before it is planned; the other lines must be the manual's.
 #[test]
 fn the_manuals_example_is_read_and_written() {

@@ -524,7 +524,7 @@ fn bad_input_is_named() {
     assert_eq!(errors(&corner), ["form-unsupported control.form"]);
 }
 
-/// Mode −1: the clearance height plays no part; the ball crosses where it is and goes down at the probing feed.
+/// Mode −1: the clearance height plays no part; the ball crosses at its present height and goes down at the probing feed.
 #[test]
 fn without_the_clearance_height() {
     let mut job = with(

@@ -167,7 +167,7 @@ fn the_ball_comes_down_into_the_material_beside_a_hole() {
             );
         }
     }
-    // A stud is free.
+    // A stud has nothing around it.
     let studs = job(
         r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "geometryType": 1 }, "part": { "offset": [-1, 1, 0] } }"#,
     );
@@ -314,7 +314,7 @@ fn predefined_heights_become_no_program_of_moves() {
             "not-known cycle.clearanceHeightPredef".to_owned()
         ]
     );
-    // The native cycle takes them from GLOBAL DEF: what stands in for the picture refuses nothing.
+    // The native cycle takes them from GLOBAL DEF: the values for the picture refuse nothing.
     let own = job(&format!(
         r#"{{ "format": 1, "control": {{ "post": "heidenhain", "form": "cycle" }},
         "cycle": {{ {predef}, "point1": [-30, 0, 140], "point2": [30, 0, 140], "probe": {{ "setUp": 0 }},

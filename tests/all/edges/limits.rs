@@ -50,7 +50,7 @@ fn a_touch_that_meets_nothing_before_a_collision_is_said() {
 }
 
 /// The program is that of the drawing, and the part a trial: nothing was to be saved until the trial was taken back. Nothing is stored of a run that ends in
-/// the part, not even what was measured before: the arithmetic is behind the last move.
+/// the part, not even what was measured before: the arithmetic comes after the last move.
 #[test]
 fn a_trial_of_the_virtual_part_took_the_program_away() {
     let nominal = cycle(

@@ -1,4 +1,4 @@
-//! The edges: how a program begins and ends, what a path must hold, and what is between two values that look alike. Each test is named
+//! The edges: how a program begins and ends, what a path must hold, and the difference between two values that look alike. Each test is named
 //! after a failure that was seen.
 
 mod begin;

@@ -26,7 +26,7 @@ fn codes(plan: &Plan) -> Vec<String> {
         .collect()
 }
 
-/// The rows of each page of the source, in its order: what is before the touch points, how many touches, what is after them.
+/// The rows of each page of the source, in its order: the rows before the touch points, the touches, the rows after them.
 #[test]
 fn every_type_has_the_rows_of_its_page() {
     let pages: &[(&str, i32, &str, i32, &str)] = &[

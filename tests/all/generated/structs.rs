@@ -9,7 +9,7 @@ use touchpath::job::RESULT_CODES;
 
 use syn::{Attribute, Expr, Fields, GenericArgument, Item, Lit, Meta, PathArguments, Type};
 
-/// Where the types are, in the order in which they are printed.
+/// Files of the types, in the order in which they are printed.
 const SOURCES: &[(&str, &[&str])] = &[
     ("src/form/finding.rs", &["Level", "Finding"]),
     (

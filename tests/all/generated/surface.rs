@@ -99,7 +99,7 @@ fn walk(
                     folder.join(&name).join("mod.rs"),
                 ];
                 let wasm = name == "wasm" || (name == "canvas" && module.ends_with("view"));
-                // Behind a private module, and under the parent's name, is what the parent re-exports; behind two, what both do.
+                // Behind a private module, and under the parent's name, is what the parent re-exports; for two private modules, what both do.
                 let both =
                     |(name, called): (&String, &String)| Some((name.clone(), shown(called)?));
                 let through: Renamed = reexported.iter().filter_map(both).collect();

@@ -23,7 +23,7 @@ pub fn words() -> String {
     format!("[\n{}\n]\n", lines.join(",\n"))
 }
 
-/// Whether a text has words: what is in braces, numbers, codes and single letters are the same in every language.
+/// Whether a text has words: texts in braces, numbers, codes and single letters are the same in every language.
 fn has_words(template: &str) -> bool {
     let outside: String = template
         .split('{')

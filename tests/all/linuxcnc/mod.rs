@@ -374,7 +374,7 @@ fn the_work_offset_is_written_once_and_puts_the_feature_on_its_nominal_place() {
         let results = expected(&job, &plan, &targets(&job, &plan));
         let (number, written) = ran.written.expect("an offset");
         assert_eq!(number, n, "{name}");
-        // The machine is where the work system stood: the shift is measured less nominal, and nothing where nothing is measured.
+        // The machine is in the old work system: the shift is measured minus nominal, and zero on axes that are not measured.
         for (axis, place) in places(&job, &plan, &results).into_iter().enumerate() {
             let wanted = place.map_or(0.0, |(measured, nominal)| measured - nominal);
             assert!(

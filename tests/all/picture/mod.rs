@@ -200,7 +200,7 @@ fn the_ends_of_a_width_lie_in_the_walls_that_are_touched() {
             let (low, high) = spans
                 .iter()
                 .fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
-            // Touches of a circle may be aside of its first direction; then they lie within.
+            // Touches of a circle may differ from its first direction; then they lie within.
             let exact = d.field != "cycle.diameter";
             assert!(
                 low > -1e-6 && high < d.from.distance(d.to) + 1e-6,
@@ -319,7 +319,7 @@ fn a_hole_is_not_a_boss() {
     );
 }
 
-/// Touches on the far side of a boss were drawn on top of it. What is hides of them what it hides; those before it, and all in a hole, are seen.
+/// Touches on the far side of a boss were drawn on top of it. A stud hides those behind it; those in front of it, and all in a hole, are seen.
 #[test]
 fn what_is_behind_the_part_is_drawn_before_it() {
     let behind = |cycle: &str| {
@@ -598,7 +598,7 @@ fn a_ball_on_its_way_is_on_its_line() {
     }
 }
 
-/// What a dimension says in an SVG: "Width 2 50" was read as 250, so its value is apart and is bold.
+/// What a dimension says in an SVG: "Width 2 50" was read as 250, so its value is separate and bold.
 fn said(label: &str, value: &str) -> String {
     format!(
         "<tspan font-weight=\"400\" fill=\"#46535f\">{label} </tspan><tspan dx=\"3\">{value}</tspan></text>"
@@ -622,7 +622,7 @@ fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// The picture that is kept is to scale: its contacts are apart as the form says, by the scale that the ball gives.
+/// The picture that is kept is to scale: its contacts have the distances of the form, by the scale that the ball gives.
 #[test]
 fn an_svg_is_to_scale_and_says_its_dimensions() {
     let job = of("internal-rectangle-protected");

@@ -1,4 +1,4 @@
-//! Where names and numbers are: on no ball, on no other name, along their lines.
+//! Positions of names and numbers: on no ball, on no other name, along their lines.
 
 use super::*;
 
@@ -36,7 +36,7 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
                             .touches
                             .iter()
                             .any(|touch| name.covers(camera.pixel(touch.ball), radius));
-                        // On a phone there is not always room, and what comes with the focus is near what it measures.
+                        // On a phone there is not always room, and a dimension that comes with the focus is near its feature.
                         assert!(
                             !covered || !large || focus.is_some(),
                             "{}: name {k} of {} on a ball",

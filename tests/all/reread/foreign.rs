@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Blanks are between words, and many of them cost no more than as many letters.
+/// Blanks separate words, and many of them cost no more than as many letters.
 #[test]
 fn blanks_between_words_are_passed_over_once() {
     for blank in ["  ", "\t", " \t "] {
@@ -229,7 +229,7 @@ fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
     );
 }
 
-/// What a subroutine has for itself was one with what is outside: numbers up to 30, names without `_`.
+/// Variables of a subroutine were taken for those outside: numbers up to 30, names without `_`.
 #[test]
 fn a_subroutines_own_variables_are_not_those_outside() {
     let program = |before: &str, inside: &str| {

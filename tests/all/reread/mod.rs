@@ -218,7 +218,7 @@ fn a_carriage_return_hid_a_motion() {
                 "{post} {hidden:?}: {found:?}"
             );
         }
-        // Where nothing is behind it, it is the end of a line like any other.
+        // Without text after it, it ends a line like any other.
         for end in ["\r\n", "\r\r\n", "\n\r"] {
             assert_eq!(said(&text.replace('\n', end)), [""; 0], "{post} {end:?}");
         }

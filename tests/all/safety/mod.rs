@@ -930,7 +930,7 @@ fn the_blocks_that_stop_reading_ahead_are_asked_for() {
         } else {
             "(NO)\n"
         };
-        // A Haas stops by itself at M78 and M79: what is behind its end runs only where nothing has moved.
+        // A Haas stops by itself at M78 and M79: lines after its end run only if nothing has moved.
         let end = if post == "haas" {
             plan.program.text.find("\nM30").unwrap()
         } else {
@@ -967,7 +967,7 @@ fn the_blocks_that_stop_reading_ahead_are_asked_for() {
     }
 }
 
-/// A comment that says where the stylus is makes no program safe: the job says so, or it is not so.
+/// A comment about the start position makes no program safe: only the job can state it.
 #[test]
 fn a_comment_holds_no_rule() {
     let job = job_for(

@@ -6,7 +6,7 @@ use crate::tests::controls::{calling, computing};
 use touchpath::form::{Level, Value};
 use touchpath::job::{check, convert_units, evaluate};
 
-/// Two holes, and a slot 40 mm beside the middle between them, square to the line through both. The surface is between what the relations are of and
+/// Two holes, and a slot 40 mm beside the middle between them, square to the line through both. The surface comes between the operands of the relations and
 /// the cycle that follows them; the last relation is of one that is computed early and of the last cycle.
 pub const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
   "limits": { "position": 3, "angle": 1.5 },

@@ -88,7 +88,7 @@ fn alone(post: &str, key: &str, along: f64) -> Value {
     }
 }
 
-/// Each cycle is next to another, on every control: its moves, its touches and its results are those that it has alone.
+/// Each cycle is next to another, on every control: its moves, its touches and its results are the same as in a job of its own.
 #[test]
 fn a_cycle_in_a_set_up_is_the_cycle_alone() {
     let keys = measuring();

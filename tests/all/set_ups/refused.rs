@@ -221,7 +221,7 @@ fn what_is_written_is_proposed() {
     assert_eq!(plan.program.writes, ["X", "Y", "Z"]);
 }
 
-/// By hand: a stud of 20 is 30 high in the way; the hole beside it is come to at the height that the job says.
+/// By hand: a stud of 20, 30 high, blocks the way; the hole beside it is approached at the height of the job.
 #[test]
 fn the_way_to_a_cycle_does_not_hit_another_feature() {
     let of = |clear: &str, stud: f64| {

@@ -118,7 +118,7 @@ fn what_is_not_known_stays_unknown() {
     }
 }
 
-/// Whatever is there: it comes back, and a loop without an end has one.
+/// Any text comes back, and an endless loop is ended.
 #[test]
 fn hostile_macros_come_back() {
     for text in [

@@ -466,7 +466,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(2.0, 10.0, f64::NAN),
             &["lines-skipped"],
         ),
-        // What is in a subroutine runs where it is called; what is after the end does not run.
+        // A subroutine runs at its call; lines after the end do not run.
         (
             "o<s> sub\nG1 Z-50\no<s> endsub\nX2",
             2,

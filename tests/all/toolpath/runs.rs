@@ -14,7 +14,7 @@ fn met(at: f64) -> Known<'static> {
     }
 }
 
-/// Where a job says that the stylus is.
+/// Start position of a job.
 fn start(job: &Value) -> Option<[f64; 3]> {
     let job = touchpath::job::resolved(job)?;
     let Some(Value::List(place)) = job.get("cycle")?.get("start") else {

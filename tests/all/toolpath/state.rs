@@ -89,7 +89,7 @@ fn an_o_word_may_stand_behind_a_number() {
     ]);
 }
 
-/// A tool that is longer or shorter is at another place: it was read as standing where it was.
+/// A longer or shorter tool is at another position: its position was read unchanged.
 #[test]
 fn a_tools_length_changes_places() {
     let computed: &[&str] = &["places-computed"];
@@ -268,7 +268,7 @@ fn a_loop_leaves_its_incremental_moves_somewhere() {
     }
 }
 
-/// With block skip on, an end with a slash is left out: what is below it is drawn.
+/// With block skip on, an end with a slash is left out: the lines below it are drawn.
 #[test]
 fn an_end_that_may_be_left_out_ends_nothing() {
     for end in ["/M30", "/M99", "/ M2"] {

@@ -95,7 +95,7 @@ fn a_log_gives_what_its_points_give() {
                 &[if inch_job { "G20" } else { "G21" }, "G10", "L20"]
             );
             prop_assert_eq!(words[3], format!("P{offset}"));
-            // The datum by what is in the results: as far as the block moves the reading of the end, the measured place moves to its nominal one.
+            // The datum from the results: as far as the block moves the reading of the end, the measured place moves to its nominal one.
             let planned = planned(&job).unwrap();
             let datum = planned.path.formula.datum.unwrap();
             let end = predicted.moves.last().unwrap().to;
@@ -231,7 +231,7 @@ fn a_log_with_lines_lost_or_twice_is_refused_or_gives_the_same() {
     );
 }
 
-/// A touch is reported where its move is: the touches of every job are made in their order, as texts with a point a line need it.
+/// Touches are reported in the order of their moves: those of every job are made in their order, as texts with a point a line need it.
 #[test]
 fn touches_are_made_in_their_order() {
     for (name, job) in crate::common::jobs() {

@@ -313,7 +313,7 @@ fn points_by_their_letters() {
     }
 }
 
-/// The output of LinuxCNC's interpreter as it comes: what the program prints is among the calls. In it a touch runs to its end, 5 past the
+/// The output of LinuxCNC's interpreter as it comes: the output of the program is mixed with the calls. In it a touch runs to its end, 5 past the
 /// contact: the pocket is 10 wider.
 #[test]
 fn what_linuxcnc_prints_is_read_as_it_comes() {

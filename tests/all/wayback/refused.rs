@@ -237,7 +237,7 @@ fn results_that_cannot_be_of_the_job_are_refused() {
     assert_eq!(errors(&pocket(), "old_center.x=0.1"), ["unknown-result"]);
 }
 
-/// The block is only right where the ball is at the end of the path.
+/// The block is right only with the ball at the end of the path.
 #[test]
 fn no_block_where_the_machine_may_have_moved() {
     for (line, why) in [

@@ -110,7 +110,7 @@ pub enum Term {
     Call(String, Vec<Term>),
     /// `−…`.
     Minus(Box<Term>),
-    /// Two operands and what is between them.
+    /// Two operands and their operator.
     Binary(&'static str, Box<Term>, Box<Term>),
 }
 
@@ -153,7 +153,7 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
             program.comments.push(comment.to_owned());
         }
         let code = without_number(code.trim());
-        // What is before a program in an archive.
+        // Lines before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             continue;
         }
@@ -265,7 +265,7 @@ fn statement(code: &str) -> Result<Statement, String> {
     words(code)
 }
 
-/// Where the `=` of an assignment is.
+/// Position of the `=` of an assignment.
 fn assignment(code: &str) -> Option<usize> {
     let at = code.find('=')?;
     let place = code[..at].trim();

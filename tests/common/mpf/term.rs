@@ -121,7 +121,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A name after `sign` characters that belong to it. `$MN_…` is without brackets.
+    /// A name after `sign` characters that belong to it. `$MN_…` has no brackets.
     fn name(&mut self, sign: usize) -> Result<String, String> {
         let body = &self.rest[sign..];
         let end = body

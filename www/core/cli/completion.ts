@@ -4,7 +4,7 @@ import { meant } from "./about.js";
 import { CODES, RULES } from "./codes.js";
 import { Refused } from "./folder.js";
 
-/** What a shell completes: what each command says of itself, its options and its formats, and the words that are behind the other options. */
+/** Data for a shell: the description of each command, its options and formats, and the values of other options. */
 export interface Completed {
   about: Record<string, string>;
   options: Record<string, string[]>;

@@ -187,7 +187,7 @@ export function openapi(
       responses: metrics,
     },
   };
-  // The definitions are here under components, and the job beside them.
+  // The definitions go under components, the job beside them.
   const here = JSON.stringify(answers.$defs)
     .replaceAll("#/$defs/", "#/components/schemas/")
     .replaceAll("urn:touchpath:job:1", "#/components/schemas/Job");

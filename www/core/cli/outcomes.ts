@@ -106,7 +106,7 @@ export async function handOut(
       results.push(outcome.output.text);
       continue;
     }
-    // What is written is on a line of its own.
+    // Each output starts on a new line.
     progress.clear();
     const { source, output, findings } = outcome;
     if (byLine) {

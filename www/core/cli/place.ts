@@ -1,4 +1,4 @@
-// Where in the text of a job a finding is.
+// Position of a finding in the text of a job.
 import { type Node, parseTree } from "jsonc-parser";
 
 /** A place in a text, both counted from 1. */
@@ -36,7 +36,7 @@ function step(
     : null;
 }
 
-/** Says where paths such as `cycles[1].origin[0]` are in a JSON text: what is missing at the object in which it is missing. Nothing of a text that is no JSON. */
+/** Finds the positions of paths such as `cycles[1].origin[0]` in a JSON text; a missing value has the position of its object. Empty if the text is not JSON. */
 export function placesIn(text: string): (path: string) => Place | null {
   // A byte order mark is one character, and no JSON.
   const tree = parseTree(text.replace(/^\uFEFF/, " "));

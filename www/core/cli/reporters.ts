@@ -35,7 +35,7 @@ export function github(outcome: Outcome): string {
   return `${other === null ? "" : `::error ${[...file, ...at].join(",")}::${value(other)}\n`}${outcome.findings.map(of).join("")}`;
 }
 
-/** Whether a character may be in XML: most control characters may not, not even escaped. */
+/** Whether XML may contain a character: most control characters may not, not even escaped. */
 const isXml = (sign: string) =>
   sign >= " "
     ? sign !== "\ufffe" && sign !== "\uffff"

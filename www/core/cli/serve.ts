@@ -330,7 +330,7 @@ export class Service {
         );
         return this.answer(c, route, text);
       });
-      // A job in the address, so that what is between may keep the answer.
+      // A job in the address, so that caches in between may keep the answer.
       if (route.takes === "job")
         app.get(route.path, async (c) => {
           const job = c.req.query("job");

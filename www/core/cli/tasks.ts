@@ -55,7 +55,7 @@ export interface Task {
   form?: string;
   /** Whether a plan is given whole, as JSON. */
   whole?: boolean;
-  /** Whether findings say where in the text of the job they are. */
+  /** Whether findings have a position in the text of the job. */
   places?: boolean;
   /** Whether the outcome says the hash of the job's text. */
   hashes?: boolean;
@@ -72,7 +72,7 @@ export interface Task {
   known?: ProgramKnown;
 }
 
-/** A job's text and where it is. */
+/** A job's text and its source. */
 export interface Item {
   source: string;
   /** The folders that its output keeps. */
@@ -84,7 +84,7 @@ export interface Item {
   refused?: string;
 }
 
-/** A finding, with where it is in the text of its job. */
+/** A finding with its position in the text of its job. */
 export type PlacedFinding = Finding & Partial<Place>;
 
 /** What became of it. */
@@ -120,7 +120,7 @@ function placed(text: string, findings: Finding[]): PlacedFinding[] {
   }
 }
 
-/** Does the task. Never throws for anything that is in the text. */
+/** Does the task. Never throws, whatever the text. */
 export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
     const outcome: Outcome = { source, place, ...done(task, source, item) };

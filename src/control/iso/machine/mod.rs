@@ -187,7 +187,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     run_marked(script, run, world, &[]).map(|(trace, _)| trace)
 }
 
-/// The same, and where it is when the last of the marked variables has its value and the last motion is made.
+/// The same, with the position at which the last marked variable has its value and the last motion is made.
 pub fn run_marked(
     script: &Script<'_>,
     run: Run,
@@ -722,7 +722,7 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(())
     }
 
-    /// Whether the control evaluates what is below a motion before it is done.
+    /// Whether the control evaluates later blocks before a motion is done.
     fn runs_on(&self, motion: Motion) -> bool {
         match self.script.ahead {
             Ahead::Harmless => false,

@@ -297,7 +297,7 @@ impl Probed for Pairs {
     }
 
     /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A
-    /// single pair says nothing of the place along its walls: there the nominal one is.
+    /// single pair does not measure the position along its walls: the nominal one is used.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let plane = on.setup.plane;
         let [a, o, w] = plane.axes();
@@ -359,7 +359,7 @@ impl Probed for Pairs {
             return f.finish(Some(datum));
         }
         let (along, width, u) = pair(0, ["width", "middle"]);
-        // Along the walls the middle is where it nominally is.
+        // Along the walls the middle keeps its nominal position.
         let across = (-along.1, along.0);
         let rest = origin[a] * across.0 + origin[o] * across.1;
         let place = |name: &'static str,

@@ -80,7 +80,7 @@ impl Circle {
     }
 }
 
-/// Whether these outward directions are those of three touches or more that are apart: fewer give no circle.
+/// Whether these outward directions are those of at least three separate touches: fewer give no circle.
 fn gives_circle(directions: impl Iterator<Item = Vec3>) -> bool {
     let mut apart: Vec<Vec3> = Vec::new();
     for direction in directions {

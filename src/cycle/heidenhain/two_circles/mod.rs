@@ -197,7 +197,7 @@ impl TwoCircles {
         ]
     }
 
-    /// What the control takes from GLOBAL DEF is not known here: the form's number applies, moved to where moves can be shown.
+    /// What the control takes from GLOBAL DEF is not known here: the form's number is used, moved to a position that can be shown.
     fn with_stand_ins(mut self) -> Self {
         const ROOM: f64 = 10.0;
         if self.form.set_up_clearance_predef {

@@ -207,7 +207,7 @@ impl TwoCircles {
         }
     }
 
-    /// What a tolerance allows must not be where the ball goes down, nor beyond the search: the path is planned for the nominal object.
+    /// An object within its tolerance must not reach the descent of the ball, nor lie beyond the search: the path is planned for the nominal object.
     fn zone_rules(
         &self,
         object: &Object,

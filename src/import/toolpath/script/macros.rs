@@ -362,7 +362,7 @@ impl Machine {
             self.variables.set(key, value);
         }
         match out[begin..].trim_ascii().is_empty() {
-            // A division by zero has a finding of its own.
+            // Another finding reports the division by zero.
             true if assigns && (known || self.variables.has_divided()) => Step::Done,
             // The reader reports an assignment of an unknown value. It would take `@` for a polar radius.
             true if assigns && self.variables.grammar.language == Language::Lnc => {
