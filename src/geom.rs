@@ -115,6 +115,21 @@ impl Rigid {
         let [a, o, w] = self.plane.axes();
         self.frame.u * d[a] + self.frame.v * d[o] + self.frame.w * d[w]
     }
+
+    /// The point of the nominal part that lies at `p`.
+    pub fn nominal(&self, p: Vec3) -> Vec3 {
+        let off = p - self.frame.origin;
+        let mut nominal = Vec3::ZERO;
+        for (axis, direction) in
+            self.plane
+                .axes()
+                .into_iter()
+                .zip([self.frame.u, self.frame.v, self.frame.w])
+        {
+            nominal[axis] = off.dot(direction);
+        }
+        nominal
+    }
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ impl Planned {
             scene
         };
         if let Some(stock) = &job.stock {
-            let openings = part::openings(path, job.setup.radius);
+            let openings = part::openings(path, &path.surfaces, job.setup.radius);
             scene.put_stock(stock, &openings, job.setup.plane, view);
         }
         scene.unit = Some(job.scale);

@@ -1,5 +1,7 @@
 //! A checked job with its path, and what happens on the actual part.
 
+use std::borrow::Cow;
+
 use crate::control::Form;
 use crate::control::own::machine::{Alarm, Met};
 use crate::control::own::{OwnCycles, OwnRequest, Refused, Several};
@@ -12,12 +14,17 @@ use crate::part;
 use crate::path::{Own, Path, Purpose, Surface};
 use crate::text::words;
 
+/// The surfaces of a cycle in the sizes of the actual part, at their nominal position.
+fn sized_surfaces<'a>(job: &Job, path: &'a Path) -> Cow<'a, [Surface]> {
+    match job.actual.as_deref() {
+        Some(cycle) => Cow::Owned(cycle.surfaces(&job.setup)),
+        None => Cow::Borrowed(&path.surfaces),
+    }
+}
+
 /// The surfaces of the actual part where it really lies.
 pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
-    match job.actual.as_deref() {
-        Some(cycle) => part::place(&cycle.surfaces(&job.setup), &job.placement),
-        None => part::place(&path.surfaces, &job.placement),
-    }
+    part::place(&sized_surfaces(job, path), &job.placement)
 }
 
 /// The path, with the formula as the control computes it.
@@ -186,6 +193,14 @@ impl Planned {
             refused,
             members: Vec::new(),
             dry,
+        }
+    }
+
+    /// The surfaces of all cycles in the sizes of the actual part, at their nominal position.
+    pub fn sized_surfaces(&self) -> Vec<Surface> {
+        match &self.members[..] {
+            [] => sized_surfaces(&self.job, &self.path).into_owned(),
+            members => members.iter().flat_map(Self::sized_surfaces).collect(),
         }
     }
 

@@ -4,6 +4,7 @@ use crate::form::Value;
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::planned::Planned;
+use crate::job::stock::nominal_hit;
 use crate::num::tidy;
 use crate::part::{self, Stock};
 use crate::path::{ONE_LEVEL, Path, Surface};
@@ -12,7 +13,7 @@ use crate::path::{ONE_LEVEL, Path, Surface};
 /// top at the highest top side. None if nothing is touched, or if the path would hit that block.
 pub fn proposed_stock(Planned { job, path, .. }: &Planned) -> Option<Value> {
     let stock = fitted(path, job)?;
-    let clear = part::hit(path, &stock, &job.shape, job.setup.radius).is_none();
+    let clear = nominal_hit(job, path, &stock).is_none();
     let given = |mm: Vec3| {
         let axis = |x: f64| Value::Number(tidy(x / job.scale));
         Value::List(mm.to_array().map(axis).to_vec())
@@ -69,7 +70,7 @@ impl Hull {
     /// Takes in the features of one cycle.
     fn take(&mut self, path: &Path, radius: f64) {
         let up = path.frame.w;
-        let inside = !part::openings(path, radius).is_empty();
+        let inside = !part::openings(path, &path.surfaces, radius).is_empty();
         for touch in &path.touches {
             self.reach(touch.point);
             for reach in &mut self.reaches {

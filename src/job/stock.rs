@@ -1,18 +1,53 @@
 //! Whether the path stays clear of the stock.
 
 use crate::form::Checker;
+use crate::job::Job;
+use crate::job::follows;
 use crate::job::planned::Planned;
 use crate::job::stylus::purpose;
-use crate::part::{self, Above};
+use crate::part::{self, Above, DisplacedRun, Hit, Stock};
+use crate::path::Path;
 use crate::text::text;
 
-/// Reports the first position where the ball or the stylus is in the stock and no feature is open, on the nominal part.
+/// Reports the first position where the ball or the stylus is in the stock and no feature is open: on the nominal part as an error, else on the displaced one
+/// as a warning.
 pub fn report(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     let Some(stock) = &job.stock else { return };
-    let Some(hit) = part::hit(path, stock, &job.shape, job.setup.radius) else {
+    if let Some(hit) = nominal_hit(job, path, stock) {
+        return report_hit(path, hit, true, checker);
+    }
+    if job.placement.nominal {
         return;
+    }
+    let run = &planned.run;
+    let shifted = follows::actual(planned);
+    let ran = run.ran.as_deref().or(shifted.as_ref()).unwrap_or(path);
+    let reached = run
+        .halt
+        .map_or(path.moves.len(), |(m, _)| path.members[m].moves.start);
+    let displaced = DisplacedRun {
+        rigid: &job.placement.rigid,
+        triggers: &run.triggers,
+        moves: run
+            .collision
+            .map_or(reached, |(index, _)| index.min(reached)),
     };
+    let radius = job.setup.radius;
+    let openings = part::openings(path, &planned.sized_surfaces(), radius);
+    if let Some(hit) = part::hit(ran, Some(displaced), openings, stock, &job.shape, radius) {
+        report_hit(path, hit, false, checker);
+    }
+}
+
+/// The first position on the nominal part where the ball or the stylus is in the stock and no feature is open.
+pub fn nominal_hit(job: &Job, path: &Path, stock: &Stock) -> Option<Hit> {
+    let radius = job.setup.radius;
+    let openings = part::openings(path, &path.surfaces, radius);
+    part::hit(path, None, openings, stock, &job.shape, radius)
+}
+
+fn report_hit(path: &Path, hit: Hit, nominal: bool, checker: &mut Checker) {
     let step = &path.moves[hit.index];
     let what = match hit.part {
         None => text!("the ball"),
@@ -30,5 +65,12 @@ pub fn report(planned: &Planned, checker: &mut Checker) {
         None => "collision",
         Some(_) => "shank-collision",
     };
-    checker.error(code, "stock", message);
+    if nominal {
+        return checker.error(code, "stock", message);
+    }
+    let message = text!(
+        "{message}. The program is that of the nominal part; on this one it runs into the stock",
+        message
+    );
+    checker.warning(code, "part", message);
 }

@@ -11,7 +11,7 @@ pub use contact::Obstacles;
 pub use evaluate::{Scatter, add_truth, datum, evaluate, numbers, stated, write_offset};
 pub use inertia::Machine;
 pub use measured::{Expected, Stand, check as check_measured, read as read_measured};
-pub use stock::{Opening, Sides, Stock, hit, openings};
+pub use stock::{DisplacedRun, Hit, Opening, Sides, Stock, hit, openings};
 pub use stylus::{Above, Shape, Struck, struck};
 
 use crate::geom::{Rigid, Vec3};

@@ -1,6 +1,6 @@
 //! The stock: the block that the features are cut into. Ball, shank and probe body may be inside it only where a feature is open.
 
-use crate::geom::Vec3;
+use crate::geom::{Rigid, Vec3};
 use crate::part::contact::Body;
 use crate::part::stylus::{Above, Shape, meet_flat};
 use crate::path::{Feature, Path, Purpose, Surface};
@@ -79,14 +79,28 @@ impl Opening {
     }
 }
 
+/// How a path runs on a displaced part.
+#[derive(Clone, Copy, Debug)]
+pub struct DisplacedRun<'a> {
+    /// How the part is displaced.
+    pub rigid: &'a Rigid,
+    /// Ball centre at the trigger of each touch, in work coordinates, mm. The run ends at a touch without one.
+    pub triggers: &'a [Option<Vec3>],
+    /// How many moves are run.
+    pub moves: usize,
+}
+
 /// The openings of the features that are cut into the stock; features that are touched from outside have none. A surface that is touched from above between
-/// the walls of a hole, pocket or groove is its floor.
-pub fn openings(path: &Path, radius: f64) -> Vec<Opening> {
-    let members = path.members.iter().map(|member| &member.path);
-    let single = path.members.is_empty().then_some(path);
+/// the walls of a hole, pocket or groove is its floor. `surfaces` are those of the path, or the same ones in the sizes of the actual part.
+pub fn openings(path: &Path, surfaces: &[Surface], radius: f64) -> Vec<Opening> {
+    let members = path
+        .members
+        .iter()
+        .map(|member| (&member.path, &surfaces[member.surfaces.clone()]));
+    let single = path.members.is_empty().then_some((path, surfaces));
     let mut all: Vec<Opening> = members
         .chain(single)
-        .flat_map(|path| openings_of(path, radius))
+        .flat_map(|(path, surfaces)| openings_of(path, surfaces, radius))
         .collect();
     let up = path.frame.w;
     let floors = path
@@ -104,7 +118,7 @@ pub fn openings(path: &Path, radius: f64) -> Vec<Opening> {
     all
 }
 
-fn openings_of(path: &Path, radius: f64) -> Vec<Opening> {
+fn openings_of(path: &Path, surfaces: &[Surface], radius: f64) -> Vec<Opening> {
     let up = path.frame.w;
     let lowest = path.moves.iter().map(|step| step.to.dot(up));
     let floor = lowest.fold(f64::INFINITY, f64::min) - radius;
@@ -115,7 +129,7 @@ fn openings_of(path: &Path, radius: f64) -> Vec<Opening> {
     };
     let mut walls = Vec::new();
     let mut all = Vec::new();
-    for surface in &path.surfaces {
+    for surface in surfaces {
         match surface {
             Surface::Round(round) if round.hole => all.push(Sides::Round {
                 center: round.center,
@@ -135,28 +149,48 @@ fn openings_of(path: &Path, radius: f64) -> Vec<Opening> {
         .collect()
 }
 
-/// The first position on the nominal path where the ball, the shank or the probe body is in the stock outside all openings.
-pub fn hit(path: &Path, stock: &Stock, shape: &Shape, radius: f64) -> Option<Hit> {
+/// The first position on a path where the ball, the shank or the probe body is in the stock outside all openings: on the nominal part, or on a displaced one.
+/// How deep an opening of a displaced part is, is not known: the path is checked against its walls only.
+pub fn hit(
+    path: &Path,
+    displaced: Option<DisplacedRun<'_>>,
+    mut openings: Vec<Opening>,
+    stock: &Stock,
+    shape: &Shape,
+    radius: f64,
+) -> Option<Hit> {
     let up = path.frame.w;
+    if displaced.is_some() {
+        for opening in &mut openings {
+            opening.floor = f64::NEG_INFINITY;
+        }
+    }
     let check = Check {
         body: Body::block([stock.low, stock.high], up),
-        openings: openings(path, radius),
+        openings,
         up,
         top: stock.top(up),
     };
+    let in_stock = |at: Vec3| displaced.map_or(at, |run| run.rigid.nominal(at));
     let discs = shape.discs(radius, true);
     let mut at = path.start;
-    for (index, step) in path.moves.iter().enumerate() {
+    let moves = displaced.map_or(path.moves.len(), |run| run.moves);
+    for (index, step) in path.moves.iter().enumerate().take(moves) {
         let mut from = at.unwrap_or(step.to);
         let ends = match step.purpose {
-            Purpose::Touch(_) | Purpose::Search(_) => vec![step.to],
+            Purpose::Touch(k) | Purpose::Search(k) => match displaced {
+                Some(run) => vec![run.triggers[k]?],
+                None => vec![step.to],
+            },
             Purpose::Position | Purpose::Back(_) => step.pieces(from, up, 1.0),
         };
+        at = ends.last().copied();
         for to in ends {
-            let ball = check.ball(radius, from, to).map(|t| (t, None));
+            let [start, end] = [from, to].map(in_stock);
+            let ball = check.ball(radius, start, end).map(|t| (t, None));
             let above = discs.iter().filter_map(|disc| {
                 let rise = up * disc.rise;
-                let t = check.disc(disc.radius, from + rise, to + rise)?;
+                let t = check.disc(disc.radius, start + rise, end + rise)?;
                 Some((t, Some(disc.part)))
             });
             if let Some((t, part)) = ball
@@ -172,7 +206,6 @@ pub fn hit(path: &Path, stock: &Stock, shape: &Shape, radius: f64) -> Option<Hit
             }
             from = to;
         }
-        at = Some(step.to);
     }
     None
 }

@@ -157,6 +157,38 @@ fn the_way_between_features_is_above_the_stock() {
     assert!(values.last().unwrap().starts_with("X 10.27"), "{values:?}");
 }
 
+/// The same block 1.5 mm higher on the machine: its top is at Z11.5, and the program goes across at Z13 as on the drawing.
+#[test]
+fn the_way_between_features_is_checked_on_the_displaced_part_too() {
+    let holes = |part: &str| {
+        job(&format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc" }}, "stylus": {{ "diameter": 6 }}, "clear": 13, "part": {{ {part} }},
+                "stock": {{ "origin": [-30, -30, -30], "size": [140, 60, 40] }},
+                "cycles": [
+                    {{ "name": "A", "type": "hole", "diameter": 25 }},
+                    {{ "name": "B", "type": "hole", "diameter": 25, "origin": [80, 0, 0] }} ] }}"#
+        ))
+    };
+    let warned = |part: &str| {
+        let findings = check(&holes(part));
+        let mut hits = findings
+            .into_iter()
+            .filter(|finding| finding.code == "collision");
+        let hit = hits.next();
+        assert!(hits.next().is_none());
+        hit.map(|hit| (hit.level, hit.path.clone(), values(&hit)))
+    };
+    assert_eq!(warned(r#""offset": [0, 0, -2]"#), None);
+    assert_eq!(warned(r#""rotation": 1"#), None);
+    let (level, path, values) = warned(r#""offset": [0, 0, 1.5]"#).unwrap();
+    assert_eq!((level, path.as_str()), (Level::Warning, "part"));
+    // 1.5 above the top the ball is 2.598 wide: it leaves the hole at 12.5 − 2.598 = 9.902, and 0.01 later with the tolerances.
+    assert!(
+        values.iter().any(|value| value.starts_with("X 9.91")),
+        "{values:?}"
+    );
+}
+
 /// A job with a stock is the same program below its header, and the header gives the stock back.
 #[test]
 fn a_stock_changes_no_block_and_returns_with_the_program() {
@@ -317,6 +349,90 @@ fn the_check_agrees_with_points_of_the_ball_on_its_way() {
         }
     }
     assert!((20..100).contains(&hits), "{hits}");
+}
+
+/// The same for the way between two holes on displaced parts: the ball, with each touch up to its trigger, is turned back to the drawing by hand.
+#[test]
+fn the_check_on_a_displaced_part_agrees_with_points_of_the_ball() {
+    let mut draws = Draws(11);
+    let (mut hits, mut runs) = (0, 0);
+    for _ in 0..150 {
+        let [d1, d2] = [draws.of(15.0, 40.0), draws.of(15.0, 40.0)];
+        let [x, y] = [draws.of(50.0, 90.0), draws.of(-30.0, 30.0)];
+        let clear = draws.of(28.0, 32.0);
+        let alone = job(&format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc" }}, "stylus": {{ "diameter": 6 }}, "clear": {clear},
+                "cycles": [
+                    {{ "name": "A", "type": "hole", "diameter": {d1}, "topClearance": 8 }},
+                    {{ "name": "B", "type": "hole", "diameter": {d2}, "topClearance": 8, "origin": [{x}, {y}, 0] }} ] }}"#
+        ));
+        let open = |p: Vec3| p.x.hypot(p.y) < d1 / 2.0 || (p.x - x).hypot(p.y - y) < d2 / 2.0;
+        let (low, size) = ([-60.0, -70.0, -40.0], [220.0, 140.0, draws.of(62.0, 72.0)]);
+        let offset = [
+            draws.of(-2.0, 2.0),
+            draws.of(-2.0, 2.0),
+            draws.of(-4.0, 4.0),
+        ];
+        let rotation = draws.of(-1.0, 1.0);
+        let part = Value::Map(vec![
+            ("offset".to_owned(), point(offset)),
+            ("rotation".to_owned(), Value::Number(rotation)),
+        ]);
+        let displaced = with(&alone, "part", part);
+        let whole = with(&displaced, "stock", stock(low, size));
+        let planned = touchpath::job::planned(&displaced);
+        let Some(planned) = planned.filter(|planned| {
+            let run = &planned.run;
+            run.collision.is_none() && run.triggers.iter().all(Option::is_some)
+        }) else {
+            continue;
+        };
+        let findings = check(&whole);
+        if findings.iter().any(|finding| finding.level == Level::Error) {
+            continue;
+        }
+        runs += 1;
+        let hit = findings
+            .iter()
+            .any(|finding| finding.code == "collision" && finding.path == "part");
+        hits += usize::from(hit);
+        let [low, size] = [low, size].map(Vec3::from_array);
+        let (sin, cos) = rotation.to_radians().sin_cos();
+        let solid = |p: Vec3| {
+            let [x, y, z] = (p - Vec3::from_array(offset)).to_array();
+            let drawn = Vec3::new(cos * x + sin * y, cos * y - sin * x, z);
+            let off = drawn - low;
+            off.cmpgt(Vec3::ZERO).all()
+                && off.cmplt(size).all()
+                && !open(Vec3::new(drawn.x, drawn.y, 0.0))
+        };
+        let reaches = |radius: f64| {
+            let points = ball(radius);
+            let mut at = planned.path.start;
+            planned.path.moves.iter().any(|step| {
+                let from = at.unwrap_or(step.to);
+                let to = match step.purpose {
+                    Purpose::Touch(k) => planned.run.triggers[k].unwrap(),
+                    _ => step.to,
+                };
+                at = Some(to);
+                if radius > 3.0 && !matches!(step.purpose, Purpose::Position) {
+                    return false;
+                }
+                let count = (from.distance(to) / 0.1).ceil().max(1.0) as usize;
+                (0..=count).any(|k| {
+                    let center = from.lerp(to, k as f64 / count as f64);
+                    points.iter().any(|point| solid(center + *point))
+                })
+            })
+        };
+        if hit {
+            assert!(reaches(3.0 + 0.15) || reaches(3.0), "{whole:?}");
+        } else {
+            assert!(!reaches(3.0 - 0.1), "{whole:?}");
+        }
+    }
+    assert!(hits >= 10 && runs >= 2 * hits, "{hits} of {runs}");
 }
 
 /// A proposed stock is one that the check takes, whatever the cycle; what it is, by hand.
