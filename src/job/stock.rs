@@ -69,7 +69,7 @@ fn report_hit(path: &Path, hit: Hit, nominal: bool, checker: &mut Checker) {
         return checker.error(code, "stock", message);
     }
     let message = text!(
-        "{message}. The program is that of the nominal part; on this one it runs into the stock",
+        "{message}. This happens on the displaced part only",
         message
     );
     checker.warning(code, "part", message);

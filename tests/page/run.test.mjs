@@ -6,6 +6,7 @@ import {
   openText,
   page,
   painted,
+  program,
   settles,
   setUp,
   textOf,
@@ -212,6 +213,38 @@ test("a cycle of the control's own was a line that is not understood: it is name
   assert.equal(await field("cycle.diameter").inputValue(), "25");
 });
 
+test("a program of several native calls becomes one job, which writes no work offset", async () => {
+  await openText(
+    "%\nO1\nG90 G21 G17\nG54\nT9 M6\nG43 H9\nG65 P9832\nG65 P9810 X0. Y0. F3000.\nG65 P9810 Z-5.\nG65 P9814 D25. S1.\nG65 P9810 Z20.\nG65 P9810 X60. Y0.\nG65 P9810 Z-5.\nG65 P9814 D16. S2.\nG65 P9810 Z20.\nG65 P9833\nM30\n%\n",
+    "bores.nc",
+  );
+  await page
+    .getByRole("button", { name: "Create a job from these 2 calls" })
+    .click();
+  await page.locator("tp-features").waitFor();
+  const job = await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).job,
+  );
+  const { format, control, cycles } = job;
+  assert.deepEqual(
+    [format, control.post, control.workOffset],
+    [2, "fanuc", null],
+  );
+  // The positions and sizes of the calls.
+  assert.deepEqual(
+    cycles.map((/** @type {any} */ cycle) => [
+      cycle.type,
+      cycle.diameter,
+      cycle.origin.slice(0, 2),
+    ]),
+    [
+      ["hole", 25, [0, 0]],
+      ["hole", 16, [60, 0]],
+    ],
+  );
+  assert.match(await program(), /HOLE2\.CENTER|BORE2\.CENTER/);
+});
+
 test("a program could not be tried on a part: it is run on the one in the form", async () => {
   await openText(
     "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",
@@ -260,7 +293,7 @@ test("a part that lies off could not be put into the picture: by hand, and the p
   await slider.focus();
   await slider.press("End");
   assert.match(
-    await textOf(page.locator("tp-viewer p[role=status]")),
+    await textOf(page.locator("tp-viewer .scrub output")),
     /Line 5: .* Y19 Z-5/,
   );
   await settles(async () => (await painted("tp-viewer", "actual")).count > 0);

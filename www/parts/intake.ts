@@ -4,6 +4,7 @@ import {
   type Job,
   JobError,
   type ProgramMoves,
+  type SetUp,
 } from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
@@ -207,8 +208,8 @@ export class Intake {
     }
   }
 
-  /** Takes the job of a call in an opened program. */
-  adopt(job: Job): void {
+  /** Takes the job of a call in an opened program, or of all its calls. */
+  adopt(job: Job | SetUp): void {
     try {
       this.store.open({
         imported: { kind: "job", job, findings: [] },
@@ -218,9 +219,14 @@ export class Intake {
       });
       this.page.showJob();
       this.page.tell(
-        this.store.t(
-          "Job created from this call; fields it does not specify have their defaults. Undo restores the previous job.",
-        ),
+        "cycles" in job
+          ? this.store.t(
+              "Job created from {count} calls; fields they do not specify have their defaults. It writes no work offset until you choose one. Undo restores the previous job.",
+              job.cycles.length,
+            )
+          : this.store.t(
+              "Job created from this call; fields it does not specify have their defaults. Undo restores the previous job.",
+            ),
       );
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;

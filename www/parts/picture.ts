@@ -11,6 +11,7 @@ import { DrawnPart } from "./canvas-part.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { nominal } from "./findings.js";
 import { kind } from "./legend.js";
+import { PlanRun } from "./plan-run.js";
 import { Timeline } from "./timeline.js";
 
 /** A place on the canvas, pixels of the page. */
@@ -51,7 +52,9 @@ class PicturePart extends DrawnPart {
   private pulled: Spot | null = null;
   private readonly timeline = new Timeline(
     this,
+    "scrub",
     () => this.store,
+    new PlanRun(() => this.store),
     (act) => this.drawing?.use(act),
     () => this.requestUpdate(),
   );

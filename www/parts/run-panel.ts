@@ -1,10 +1,12 @@
 // What is asked of an opened program, and what its run shows: the form, the safety rules, the native cycles.
 import { html, nothing, type TemplateResult } from "lit";
+import { jobOfCalls } from "../calls-job.js";
 import type {
   Job,
   ProgramKnown,
   ProgramPart,
   ProgramRun,
+  SetUp,
 } from "../core/browser.js";
 import { PROGRAM_POST_TITLES } from "../core/program-posts.js";
 import type { Ran } from "../run-text.js";
@@ -83,7 +85,7 @@ export class RunPanel {
     private readonly store: () => Store,
     private readonly changed: (known: ProgramKnown) => void,
     private readonly point: (line: number) => void,
-    private readonly adopt: (job: Job) => void,
+    private readonly adopt: (job: Job | SetUp) => void,
   ) {}
 
   /** Another program. */
@@ -117,7 +119,7 @@ export class RunPanel {
       ${noteList(notes)}
       ${plain.writes.length > 0 ? html`<h2>${t("Written for good")}</h2><ul class="writes">${written(run.writes).map(({ what, line }) => html`<li>${what}${this.places([line])}</li>`)}</ul>` : nothing}
       ${form ? this.form(own, known, run, assumes) : nothing}
-      ${plain.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+      ${plain.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2>${this.allCalls(plain.calls)}<ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
       ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
     `;
   }
@@ -295,6 +297,15 @@ export class RunPanel {
         .join(", "),
     );
     return html` <button type="button" class="quiet" title=${t("Show in the program")} @click=${() => this.point(lines[0] as number)}>${says}${lines.length > 8 ? ", …" : ""}</button>`;
+  }
+
+  /** One job of all calls, if there can be one. */
+  private allCalls(
+    calls: ProgramRun["calls"],
+  ): TemplateResult | typeof nothing {
+    const job = this.store().readonly ? null : jobOfCalls(calls);
+    if (!job) return nothing;
+    return html`<p><button type="button" class="quiet" @click=${() => this.adopt(job)}>${this.store().t("Create a job from these {count} calls", job.cycles.length)}</button></p>`;
   }
 
   private call({

@@ -20,7 +20,7 @@ import { kind } from "./legend.js";
 import { ProgramList } from "./program-list.js";
 import { brokenOf, letter, noteList, RunPanel } from "./run-panel.js";
 import type { Mark } from "./shown.js";
-import { Steps } from "./steps.js";
+import { type Run, Timeline } from "./timeline.js";
 
 /** A longer text, or one with more moves, is run in a worker: the page can be used meanwhile. */
 const LONG_TEXT = 20_000;
@@ -79,9 +79,15 @@ class ViewerPart extends DrawnPart {
       ),
   );
 
-  private readonly steps = new Steps(
+  /** The touches among the moves, counted from 1. */
+  private touches: number[] = [];
+  private readonly timeline = new Timeline(
+    this,
+    "scrub-program",
     () => this.store,
-    (move) => this.point(move),
+    this.timelineRun(),
+    (act) => this.drawing?.use(act),
+    () => this.requestUpdate(),
   );
   /** What is said of lines: findings, and rules that they break. */
   private notes = new Map<number, string[]>();
@@ -89,6 +95,24 @@ class ViewerPart extends DrawnPart {
   private marks = new Map<number, Mark>();
   /** What is said of the line that is pointed at. */
   private noted: string[] = [];
+
+  private timelineRun(): Run {
+    const self = this;
+    return {
+      get count() {
+        return self.moves.kind.length;
+      },
+      get at() {
+        return self.pointed;
+      },
+      get touches() {
+        return self.touches;
+      },
+      chapters: [],
+      point: (move) => self.point(move),
+      words: (move) => (move === null ? self.says() : self.one(move)),
+    };
+  }
 
   /** The moves that are shown. */
   private get moves(): ProgramMoves {
@@ -147,6 +171,7 @@ class ViewerPart extends DrawnPart {
 
   /** Takes a run, or only the moves that were read. */
   private takes(ran: Ran | null): void {
+    this.timeline.pause();
     this.ran = ran;
     this.pointed = null;
     const { line, kind, kinds } = this.moves;
@@ -168,7 +193,7 @@ class ViewerPart extends DrawnPart {
       const number = touches.length;
       numbers.set(at, [numbers.get(at)?.[0] ?? number, number]);
     });
-    this.steps.take(kind.length, touches);
+    this.touches = touches;
     this.notes = this.said();
     this.marks = this.marked(numbers);
     this.dispatchEvent(new CustomEvent("shown", { detail: this.moves }));
@@ -233,14 +258,13 @@ class ViewerPart extends DrawnPart {
       ${this.tools(this.t("Picture of the program"))}
         <div class="canvas">
           <canvas tabindex="0" role="img" aria-label=${this.says()} @pointerdown=${this.down} @pointermove=${this.move}
-            @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
+            @pointerup=${this.up} @pointercancel=${this.up} @dblclick=${() => this.drawing?.use((view) => view.fit())} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
           <canvas class="over" aria-hidden="true"></canvas>
         </div>
-        ${this.steps.render(this.pointed)}
-        <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
-        <ul class="key" aria-label=${this.t("Colours")}>
+        <ul class="key" aria-label=${this.t("Kinds of lines")}>
           ${kind("touch", this.t("probing"))}${kind("link", this.t("feed"))}${kind("rapid", this.t("rapid"))}
         </ul>
+        ${this.timeline.render()}
       </div>
       <div class="said">${
         this.running
@@ -271,6 +295,7 @@ class ViewerPart extends DrawnPart {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.timeline.pause();
     this.running?.abort();
     this.drawn = undefined;
     this.listing?.free();
@@ -345,9 +370,12 @@ class ViewerPart extends DrawnPart {
     this.drawing?.use((view) => {
       view.setLabels([], [], this.store.comma);
       if (this.drawn !== this.viewed && !fresh) this.show(view);
-      view.highlight(this.pointed ?? undefined);
+      if (this.drawn !== this.viewed) this.timeline.take(view.times());
+      if (!this.timeline.plays) view.highlight(this.pointed ?? undefined);
       this.querySelector(".key")?.classList.toggle("solid", view.isLong());
     });
+    this.timeline.mark();
+    this.timeline.light();
     this.list();
     this.drawn = this.viewed;
   }

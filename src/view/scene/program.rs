@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 
 use super::{Line, Projection, Scene, Stroke, TouchShape};
 use crate::geom::{Plane, Vec2, Vec3};
-use crate::path::Arc;
+use crate::path::{Arc, RAPID_RATE};
 
-/// The kind of a probing move.
+/// The kinds of rapids and of probing moves.
+const RAPID: u8 = 0;
 const PROBING: u8 = 2;
 
 /// The touches of a program with more of them have no numbers: these would cover the path.
@@ -21,6 +22,8 @@ pub struct Moves<'a> {
     pub to: &'a [f64],
     /// What each is: 0 rapid, 1 at a feed, 2 probing.
     pub kind: &'a [u8],
+    /// The feed of each, units a minute; NaN is not known.
+    pub feed: &'a [f64],
     /// The arcs: index of the move, centre, degrees, and their plane: 17, 18 or 19.
     pub arcs: &'a [[f64; 6]],
     /// Where probing moves met something: index of the move, and the place. The next move begins there.
@@ -31,6 +34,74 @@ pub struct Moves<'a> {
     pub plane: Plane,
     /// Millimetres in a unit of the program, where it says its units.
     pub scale: Option<f64>,
+}
+
+/// A move of a program, mm; NaN is not known.
+struct Way {
+    from: Vec3,
+    /// Where it ends if it makes no contact.
+    end: Vec3,
+    /// Where it made contact.
+    contact: Option<Vec3>,
+    /// Its arc, and the axis of that.
+    arc: Option<(Arc, Vec3)>,
+}
+
+impl Moves<'_> {
+    fn ways(&self) -> impl Iterator<Item = Way> + '_ {
+        let scale = self.scale.unwrap_or(1.0);
+        let mut arcs = self.arcs.iter().peekable();
+        let mut contacts = self.contacts.iter().peekable();
+        let mut resumes = self.resumes.iter().peekable();
+        let mut at = Vec3::from(self.start) * scale;
+        let place = move |[_, x, y, z]: &[f64; 4]| Vec3::new(*x, *y, *z) * scale;
+        self.to.chunks_exact(3).enumerate().map(move |(index, to)| {
+            let here = |entry: &f64| *entry == index as f64;
+            let from = resumes.next_if(|entry| here(&entry[0])).map_or(at, place);
+            let arc = arcs
+                .next_if(|entry| here(&entry[0]))
+                .map(|[_, a, b, c, sweep, plane]| {
+                    let plane = [Plane::G17, Plane::G18, Plane::G19]
+                        [(*plane as usize).saturating_sub(17).min(2)];
+                    let arc = Arc {
+                        center: Vec3::new(*a, *b, *c) * scale,
+                        sweep: sweep.to_radians(),
+                    };
+                    (arc, plane.basis()[2])
+                });
+            let end = Vec3::from_slice(to) * scale;
+            let contact = contacts.next_if(|entry| here(&entry[0])).map(place);
+            at = contact.unwrap_or(end);
+            Way {
+                from,
+                end,
+                contact,
+                arc,
+            }
+        })
+    }
+
+    /// How long each move takes, seconds: a rapid at the catalog's `rapidRate`. NaN if its feed, its length or the units are not known.
+    pub fn seconds(&self) -> Vec<f64> {
+        let scale = self.scale.unwrap_or(f64::NAN);
+        let seconds = |((way, kind), feed): ((Way, &u8), &f64)| {
+            let length = match way.arc {
+                Some((arc, _)) => way.from.distance(arc.center) * arc.sweep.abs(),
+                None => way.from.distance(way.contact.unwrap_or(way.end)),
+            };
+            let rate = if *kind == RAPID {
+                RAPID_RATE
+            } else {
+                feed * scale
+            };
+            60.0 * length / rate
+        };
+        self.ways()
+            .zip(self.kind)
+            .zip(self.feed)
+            .map(seconds)
+            .collect()
+    }
 }
 
 /// The scene of a program's moves: lines, and the numbers of its probing moves where these end. A move to or from a place that is not known is not seen.
@@ -44,35 +115,13 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     scene.ends.reserve(moves.kind.len());
     // Sixty to a circle; fewer where there are very many.
     let most = (200_000 / moves.arcs.len().max(1)).clamp(3, 60);
-    let scale = moves.scale.unwrap_or(1.0);
-    let mut arcs = moves.arcs.iter().peekable();
-    let mut contacts = moves.contacts.iter().peekable();
-    let mut resumes = moves.resumes.iter().peekable();
-    let mut from = Vec3::from(moves.start) * scale;
     let numbered = moves.kind.iter().filter(|kind| **kind == PROBING).count() <= MOST_NUMBERED;
     let mut number = 0;
-    for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
-        let end = Vec3::from_slice(to) * scale;
-        if let Some([_, x, y, z]) = resumes.next_if(|place| place[0] == index as f64) {
-            from = Vec3::new(*x, *y, *z) * scale;
-        }
-        let arc = arcs
-            .next_if(|arc| arc[0] == index as f64)
-            .map(|[_, a, b, c, sweep, plane]| {
-                let plane = [Plane::G17, Plane::G18, Plane::G19]
-                    [(*plane as usize).saturating_sub(17).min(2)];
-                let center = Vec3::new(*a, *b, *c) * scale;
-                (
-                    Arc {
-                        center,
-                        sweep: sweep.to_radians(),
-                    },
-                    plane.basis()[2],
-                )
-            });
+    for (index, (way, kind)) in moves.ways().zip(moves.kind).enumerate() {
+        let Way { from, end, arc, .. } = way;
         if from.is_finite() && end.is_finite() {
             let stroke = match *kind {
-                0 => Stroke::Position,
+                RAPID => Stroke::Position,
                 PROBING => Stroke::Touch,
                 _ => Stroke::Link,
             };
@@ -84,7 +133,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
                     from,
                     to,
                     stroke,
-                    rapid: *kind == 0,
+                    rapid: *kind == RAPID,
                     back: false,
                     behind: None,
                     pale: false,
@@ -101,15 +150,13 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
         } else {
             Vec2::NAN
         });
-        let contact = contacts.next_if(|contact| contact[0] == index as f64);
-        let begin = from;
-        from = contact.map_or(end, |[_, x, y, z]| Vec3::new(*x, *y, *z) * scale);
         if *kind != PROBING {
             continue;
         }
         number += 1;
-        if numbered && begin.is_finite() && from.is_finite() {
-            let at = spot(from);
+        let stop = way.contact.unwrap_or(end);
+        if numbered && from.is_finite() && stop.is_finite() {
+            let at = spot(stop);
             scene.touches.push(TouchShape {
                 contact: at,
                 ball: at,
@@ -117,7 +164,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
                 number,
                 named: None,
                 pale: false,
-                inward: (spot(begin) - at).normalize_or_zero(),
+                inward: (spot(from) - at).normalize_or_zero(),
                 index: Some(index),
                 behind: None,
             });
@@ -160,12 +207,16 @@ mod tests {
             start: [f64::NAN; 3],
             to: &to,
             kind: &[0, 1, 0, 2],
+            feed: &[f64::NAN, 100.0, f64::NAN, f64::NAN],
             arcs: &arcs,
             contacts: &[],
             resumes: &[],
             plane: Plane::G17,
             scale: Some(25.4),
         };
+        // Half a circle of 1 in at 100 in/min.
+        let half = std::f64::consts::PI / 100.0 * 60.0;
+        assert!((moves.seconds()[1] - half).abs() < 1e-9);
         let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);
         assert!(
@@ -205,12 +256,26 @@ mod tests {
             start: [0.0, 0.0, 5.0],
             to: &to,
             kind: &[0, 2, 1],
+            feed: &[f64::NAN, 120.0, 240.0],
             arcs: &[],
             contacts: &[[1.0, 6.0, 0.0, 0.0]],
             resumes: &[],
             plane: Plane::G17,
             scale: Some(1.0),
         };
+        // 5 mm at the rapid rate, 6 mm to the contact at F120, √52 mm back at F240.
+        let near = |(seconds, hand): (&f64, f64)| (seconds - hand).abs() < 1e-9;
+        let hand = [60.0 * 5.0 / RAPID_RATE, 3.0, 52.0_f64.sqrt() / 4.0];
+        assert!(
+            moves.seconds().iter().zip(hand).all(near),
+            "{:?}",
+            moves.seconds()
+        );
+        let without_units = Moves {
+            scale: None,
+            ..moves
+        };
+        assert!(without_units.seconds()[1].is_nan());
         let unknown = Moves {
             start: [0.0, 0.0, f64::NAN],
             ..moves

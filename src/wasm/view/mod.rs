@@ -82,6 +82,21 @@ impl Shown {
     }
 }
 
+/// The moves of a program, as its picture needs them.
+fn moves_of(path: &Toolpath) -> Moves<'_> {
+    Moves {
+        start: path.start,
+        to: &path.to,
+        kind: &path.kind,
+        feed: &path.feed,
+        arcs: &path.arcs,
+        contacts: &path.contacts,
+        resumes: &path.resumes,
+        plane: path.plane,
+        scale: path.metric.map(|metric| if metric { 1.0 } else { 25.4 }),
+    }
+}
+
 /// Content of a scene.
 #[derive(Debug)]
 enum Content {
@@ -340,14 +355,16 @@ impl View {
             .is_some_and(|shown| is_long(&shown.scene))
     }
 
-    /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Their sum is the plan's time.
+    /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Of a job their sum is the plan's time; of a program NaN if not known.
     pub fn times(&self) -> Vec<f64> {
-        self.held().map_or_else(Vec::new, |held| {
-            job::minutes(&held.last.planned)
+        match self.shown.as_ref().map(|shown| &shown.content) {
+            Some(Content::Job(held)) => job::minutes(&held.last.planned)
                 .into_iter()
                 .map(|m| m * 60.0)
-                .collect()
-        })
+                .collect(),
+            Some(Content::Program(path, _)) => moves_of(path).seconds(),
+            None => Vec::new(),
+        }
     }
 
     /// Lights up the dimension of a field, by its path in the job, or none. `*` draws every height, and lights none.
@@ -483,18 +500,7 @@ impl View {
     }
 
     fn of_program(&self, path: Rc<Toolpath>, part: Option<Feature>) -> Shown {
-        let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
-        let moves = Moves {
-            start: path.start,
-            to: &path.to,
-            kind: &path.kind,
-            arcs: &path.arcs,
-            contacts: &path.contacts,
-            resumes: &path.resumes,
-            plane: path.plane,
-            scale,
-        };
-        let mut scene = program::scene(&moves, self.projection);
+        let mut scene = program::scene(&moves_of(&path), self.projection);
         if let Some(part) = &part {
             let seen = part.picture(self.projection).scene;
             (scene.walls, scene.tops, scene.blocks, scene.material) =

@@ -70,10 +70,12 @@ fn path_of(run: &JsValue) -> Option<Toolpath> {
         resumes: rows(&numbers("resumes")?),
         systems: rows(&numbers("systems")?),
         plane: Plane::named(&word("plane")?),
+        feed: numbers("feed")?,
         kind,
         ..Toolpath::default()
     };
-    (path.to.len() == 3 * path.kind.len()).then_some(path)
+    let count = path.kind.len();
+    (path.to.len() == 3 * count && path.feed.len() == count).then_some(path)
 }
 
 /// Numbers in rows of so many.
