@@ -6,11 +6,26 @@ import { chromium } from "playwright-core";
 import { at, ensureChromium } from "./lib.mjs";
 import { addressOf, serve } from "./serve.mjs";
 
-const KEYS = /** @type {const} */ ([
+/** Twelve bores in a plate, beside each other. */
+const SET_UP = {
+  format: 2,
+  control: { post: "linuxcnc" },
+  cycles: Array.from({ length: 12 }, (_, k) => ({
+    name: `BORE${k + 1}`,
+    type: "hole",
+    diameter: 20,
+    origin: [40 * (k % 4), 40 * Math.floor(k / 4), 0],
+  })),
+};
+/** A cycle type or a job, the field that is typed into, and its values. @type {[string | typeof SET_UP, string, number[]][]} */
+const KEYS = [
   ["internal-rectangle-protected", "cycle.width1", [80, 81, 82.5]],
   ["double-wall-internal-corner", "cycle.rotation", [0, 5, 10]],
   ["probing-two-circles", "cycle.diameter1", [20, 21, 22.5]],
-]);
+  [SET_UP, "cycle.diameter", [20, 21, 22.5]],
+];
+const nameOf = (/** @type {string | typeof SET_UP} */ what) =>
+  typeof what === "string" ? what : "set-up of 12 bores";
 /** How often the pages take turns, and how many keys and hovers a turn has; a first turn warms up. */
 const [TURNS, KEYS_A_TURN, HOVERS_A_TURN] = [6, 30, 40];
 
@@ -54,7 +69,7 @@ async function opened(
   return { folder, page, counts, close: () => server.close() };
 }
 
-/** A turn of a page: milliseconds of keys and of hovers, and layouts and style passes a key. */
+/** A turn of a page: milliseconds of keys and of hovers, and layouts and style passes a key. Null if the page takes no job. */
 async function turn(
   /** @type {Awaited<ReturnType<typeof opened>>} */ { page, counts },
   /** @type {(typeof KEYS)[number]} */ [type, field, values],
@@ -83,8 +98,15 @@ async function turn(
           for (const part of parts)
             await /** @type {any} */ (part).updateComplete;
         };
-        if (what === "choose" && id("cycle.type").value !== type) {
-          id("cycle.type").value = type;
+        if (what === "choose" && typeof type !== "string") {
+          const element = /** @type {any} */ (
+            document.querySelector("touch-path")
+          );
+          if (!element || !("job" in element)) return null;
+          element.job = type;
+          await settled();
+        } else if (what === "choose" && id("cycle.type").value !== type) {
+          id("cycle.type").value = String(type);
           send(id("cycle.type"), "change");
         }
         const canvas = /** @type {HTMLCanvasElement} */ (
@@ -123,14 +145,14 @@ async function turn(
       },
       /** @type {const} */ ([what, count, type, field, values]),
     );
-  await act("choose", 0);
+  if ((await act("choose", 0)) === null) return null;
   await page.waitForTimeout(300);
   const before = await counts();
-  const keys = await act("key", KEYS_A_TURN);
+  const keys = (await act("key", KEYS_A_TURN)) ?? [];
   const after = await counts();
   return {
     keys,
-    hovers: await act("hover", HOVERS_A_TURN),
+    hovers: (await act("hover", HOVERS_A_TURN)) ?? [],
     // One of them is asked for here, where the page would have its own in the next frame.
     layouts: (after.layouts - before.layouts) / KEYS_A_TURN,
     styles: (after.styles - before.styles) / KEYS_A_TURN,
@@ -162,12 +184,12 @@ export async function comparePages(/** @type {string[]} */ ...others) {
   /** @type {Record<string, { key: number, hover: number }>} */
   const ratios = {};
   for (const kind of KEYS) {
-    /** @type {Awaited<ReturnType<typeof turn>>[][]} */
+    /** @type {NonNullable<Awaited<ReturnType<typeof turn>>>[][]} */
     const turns = pages.map(() => []);
     for (let i = 0; i <= TURNS; i++)
       for (const [k, page] of pages.entries()) {
         const one = await turn(page, kind);
-        if (i > 0) turns[k]?.push(one);
+        if (i > 0 && one) turns[k]?.push(one);
       }
     const costs = turns.map((own) => {
       const [keys, hovers] = [
@@ -192,7 +214,7 @@ export async function comparePages(/** @type {string[]} */ ...others) {
       mine && other
         ? { key: mine.key / other.key, hover: mine.hover / other.hover }
         : null;
-    if (ratio) ratios[kind[0]] = ratio;
+    if (ratio) ratios[nameOf(kind[0])] = ratio;
     for (const [k, { key, hover, rest }] of costs.entries()) {
       const [slow = 0, layouts = 0, styles = 0, slowHover = 0] = rest;
       const cells = [key, slow, layouts, styles, hover, slowHover].map((x) =>
@@ -203,7 +225,7 @@ export async function comparePages(/** @type {string[]} */ ...others) {
           ? [ratio.key, ratio.hover].map((x) => x.toFixed(2).padStart(7))
           : [];
       console.log(
-        (k === 0 ? kind[0] : `  ${pages[k]?.folder}`).padEnd(30),
+        (k === 0 ? nameOf(kind[0]) : `  ${pages[k]?.folder}`).padEnd(30),
         ...cells,
         ...last,
       );

@@ -32,6 +32,8 @@ pub const AXES_REACH: f64 = 36.0;
 pub const BAR_CORNER: f64 = 16.0;
 /// How high the scale bar reaches with its length above it, pixels.
 pub const BAR_REACH: f64 = 34.0;
+/// Size of the upper right corner where pages put the view cube, pixels.
+pub const CUBE_CORNER: f64 = 112.0;
 
 /// From directions on the picture plane to those in pixels and back: these grow downwards.
 pub const DOWNWARDS: Vec2 = Vec2::new(1.0, -1.0);

@@ -2,7 +2,8 @@
 
 use crate::geom::Vec2;
 use crate::view::camera::{
-    AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, DOWNWARDS, MARGIN,
+    AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, CUBE_CORNER, Camera, DIMENSION_MARGIN,
+    DOWNWARDS, MARGIN, SMALL_MARGIN,
 };
 use crate::view::numbers::Number;
 use crate::view::plate::{CUT_OFF, Crowd, Plate};
@@ -184,7 +185,8 @@ impl Camera {
         }
     }
 
-    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, if there is room above it.
+    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, and to the left where it would lie under the view
+    /// cube, if there is room.
     fn clear_corners(&mut self, scene: &Scene) {
         let Vec2 {
             x: width,
@@ -196,13 +198,15 @@ impl Camera {
             width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale,
             height - BAR_REACH,
         ];
-        let (mut top, mut under) = (self.pixel(scene.bounds()[1]).y, 0.0_f64);
+        let [low, high] = scene.bounds();
+        let (corner, mut left) = (self.pixel(high), self.pixel(low).x);
+        let (mut top, mut under) = (corner.y, 0.0_f64);
         for placed in self.layout(scene, None).dimensions {
             let [low, high] = placed.name.bounds();
-            top = placed
-                .line
-                .iter()
-                .fold(top.min(low.y), |top, end| top.min(end.y));
+            let ends = placed.line.iter();
+            (left, top) = ends.fold((left.min(low.x), top.min(low.y)), |(left, top), end| {
+                (left.min(end.x), top.min(end.y))
+            });
             if low.x < axes[0] {
                 under = under.max(high.y - axes[1]);
             }
@@ -210,7 +214,20 @@ impl Camera {
                 under = under.max(high.y - bar[1]);
             }
         }
-        self.pan(Vec2::NEG_Y * under.min((top - MARGIN).max(0.0)));
+        let up = under.min((top - MARGIN).max(0.0));
+        // Nor onto the axes.
+        let least = if self.pixel(low).y - up > axes[1] {
+            axes[0]
+        } else {
+            SMALL_MARGIN
+        };
+        let across = if corner.y - up < CUBE_CORNER {
+            let covered = corner.x - width + CUBE_CORNER;
+            crate::num::within(covered, 0.0, (left - least).max(0.0))
+        } else {
+            0.0
+        };
+        self.pan(-Vec2::new(across, up));
     }
 
     /// The arrow head of a line, its tip, its way and its size: of a touch at its contact, of any other move on its way, where it is long enough for

@@ -86,7 +86,10 @@ impl Moves<'_> {
         let scale = self.scale.unwrap_or(f64::NAN);
         let seconds = |((way, kind), feed): ((Way, &u8), &f64)| {
             let length = match way.arc {
-                Some((arc, _)) => way.from.distance(arc.center) * arc.sweep.abs(),
+                Some((arc, up)) => {
+                    let radius = (way.from - arc.center).reject_from_normalized(up).length();
+                    (radius * arc.sweep).hypot((way.end - way.from).dot(up))
+                }
                 None => way.from.distance(way.contact.unwrap_or(way.end)),
             };
             let rate = if *kind == RAPID {
@@ -214,8 +217,8 @@ mod tests {
             plane: Plane::G17,
             scale: Some(25.4),
         };
-        // Half a circle of 1 in at 100 in/min.
-        let half = std::f64::consts::PI / 100.0 * 60.0;
+        // Half a circle of radius 1 in that rises by 1 in, at 100 in/min.
+        let half = std::f64::consts::PI.hypot(1.0) / 100.0 * 60.0;
         assert!((moves.seconds()[1] - half).abs() < 1e-9);
         let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);

@@ -363,3 +363,37 @@ fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
         cut.len()
     );
 }
+
+/// On a phone the view cube covers the upper right corner of the picture, and a plate that is higher than the picture leaves room at its left.
+#[test]
+fn a_scene_leaves_the_corner_of_the_view_cube_free_if_it_has_room() {
+    let size = Vec2::new(390.0, 206.0);
+    let mut shifted = 0;
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side] {
+            let (scene, _) = built(&of(cycle.key), view);
+            let [low, high] = scene.bounds();
+            if !low.is_finite() {
+                continue;
+            }
+            let camera = Camera::whole(size, &scene);
+            let (corner, left) = (camera.pixel(high), camera.pixel(low).x);
+            let covered = corner.y < 112.0 && corner.x > size.x - 112.0 + 1e-9;
+            let names = camera.layout(&scene, None).dimensions;
+            let first = names.iter().fold(left, |first, placed| {
+                placed
+                    .line
+                    .iter()
+                    .fold(first, |first, end| first.min(end[0]))
+            });
+            // With room beside the axes it would have been moved.
+            assert!(
+                !covered || first < 71.0,
+                "{} {view:?}: {corner}, {first}",
+                cycle.key
+            );
+            shifted += usize::from((camera.middle.x - (low.x + high.x) / 2.0) * camera.scale > 5.0);
+        }
+    }
+    assert!(shifted > 5, "{shifted}");
+}
