@@ -455,6 +455,50 @@ test("bore D25 H7 on a Fanuc, G54: at most 6 clicks and 12 keys, and no stop", a
 });
 
 for (const [width, height] of /** @type {[number, number][]} */ ([
+  [1440, 900],
+  [768, 1024],
+  [390, 844],
+]))
+  test(`a vise corner and a plate take at most 4 clicks each, and no stop: ${width} × ${height}`, async () => {
+    for (const [name, writes] of [
+      ["vise", "G54 X Y Z and rotation"],
+      ["plate", "G54 X Y and rotation"],
+    ]) {
+      await asVisitor({ viewport: { width, height }, locale: "en-GB" });
+      const user = counted();
+      const find = page.getByRole("button", { name: /Find anything/ });
+      if (width > 600) await user.click(find);
+      else {
+        await user.click(page.getByRole("button", { name: "More" }));
+        await user.click(find);
+      }
+      const search = page.locator("tp-commands input");
+      await search.waitFor();
+      await user.type(String(name));
+      await page
+        .locator("tp-commands [role=option][aria-selected=true]", {
+          hasText: new RegExp(String(name), "i"),
+        })
+        .waitFor();
+      await page.keyboard.press("Enter");
+      const download = page.waitForEvent("download");
+      await user.click(saveButton());
+      assert.equal(
+        (await download).suggestedFilename(),
+        `${name?.toUpperCase()}.ngc`,
+      );
+      const [clicks = 9] = user.said();
+      assert.ok(clicks <= 4, `${clicks} clicks`);
+      const does = await page.evaluate(
+        () =>
+          /** @type {any} */ (document.querySelector("touch-path")).plan.program
+            .does,
+      );
+      assert.equal(does, `writes ${writes}`);
+    }
+  });
+
+for (const [width, height] of /** @type {[number, number][]} */ ([
   [768, 1024],
   [1024, 768],
   [1180, 820],
