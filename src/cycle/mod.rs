@@ -1,4 +1,4 @@
-//! The cycles. What adding one takes, step by step: "Adding a cycle" in `CONTRIBUTING.md`.
+//! The cycles. "Adding a cycle" in `CONTRIBUTING.md` lists the steps for a new one.
 
 mod ency;
 mod heidenhain;
@@ -39,46 +39,46 @@ pub static CYCLES: &[&CycleDef] = &[
     &ency::types::NC_ACTION,
 ];
 
-/// What is known of no cycle: what stands for several of them begins with it.
+/// Definition without a cycle, as a placeholder for set-ups.
 pub const NONE: CycleDef = ency::BASE;
 
-/// What is known of a cycle before its form is filled in.
+/// Definition of a cycle, known before its form is filled in.
 #[derive(Debug)]
 pub struct CycleDef {
     /// `cycle.type` in the job.
     pub key: &'static str,
-    /// Its documented name.
+    /// Documented name.
     pub title: &'static str,
-    /// What it measures, in a sentence, as a setter says it.
+    /// Sentence about its measurement, in a setter's words.
     pub says: &'static str,
-    /// More search words: those in neither its name nor its sentence.
+    /// Further search words, which are in neither the name nor the sentence.
     pub also: &'static str,
-    /// What the name of a job begins with that has none of its own.
+    /// Beginning of the default name of a job.
     pub name: &'static str,
-    /// Whose cycle it is, and its number there.
+    /// Source of the cycle, with its number there.
     pub source: &'static str,
-    /// What it probes: by this a control says whether it takes the cycle.
+    /// Kind of the probed feature. By it a control decides whether it supports the cycle.
     pub probes: Subject,
-    /// Whether it has feeds and a search length of its own, and does not use the job's.
+    /// Whether it has its own feeds and search length, and does not use those of the job.
     pub own_feeds: bool,
-    /// Its type number in the source's parameter table (code −1), where it has one.
+    /// Type number in the source's parameter table (code −1), if it has one.
     pub number: Option<i32>,
-    /// The most touches it can have.
+    /// Largest number of touches.
     pub most_touches: usize,
     pub fields: &'static [Field],
     /// Forms inside its form.
     pub sections: &'static [SubForm],
-    /// The control and form its default job is for.
+    /// Control and form of its default job.
     pub home: (&'static str, &'static str),
-    /// The steps of its documented list, in our words; index 0 is step 1.
+    /// Steps of its documented list, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
-    /// What is our reading and not the source's word, for the manual.
+    /// Our interpretations of the source, for the manual.
     #[cfg_attr(
         not(test),
         allow(dead_code, reason = "the documents are generated from it")
     )]
     pub readings: &'static [&'static str],
-    /// Where touches that are picked one by one put it, given its loose form; `None` if its touches cannot be picked.
+    /// Finds the position of the feature from picked touches and the loose form; `None` if its touches cannot be picked.
     pub place: Option<PlaceBy>,
     pub read: fn(&'static CycleDef, &mut Section<'_, '_>) -> Box<dyn Cycle>,
 }
@@ -90,40 +90,39 @@ impl CycleDef {
     }
 }
 
-/// Reads a loose form and says where picked touches put the feature, and which touches its dimensions give there; `None` if they do
-/// not make one.
+/// Reads a loose form and returns the position of the feature by picked touches, and the touches that its dimensions give there; `None` if the picks do not
+/// give a feature.
 pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<(Placement, Vec<Pick>)>;
 
-/// A cycle with checked dimensions. All lengths in mm, angles in degrees as in the form.
+/// A cycle with checked dimensions. Lengths in mm, angles in degrees as in the form.
 pub trait Cycle {
-    /// Reports what single fields cannot know: dimensions that do not go together. Paths start with `cycle.`.
+    /// Reports dimensions that contradict each other. Paths start with `cycle.`.
     fn rules(&self, setup: &Setup, checker: &mut Checker);
 
-    /// The whole path. Total on every cycle that passed its rules.
+    /// Plans the whole path. Every cycle without errors has one.
     fn plan(&self, setup: &Setup) -> Path;
 
-    /// What the control computes, as [`Cycle::plan`] gives it.
+    /// The results that the control computes, as in [`Cycle::plan`].
     fn formula(&self, setup: &Setup) -> Formula;
 
-    /// The source's parameter table: what goes out, and nothing that anything is computed from. `touches` are those of the path.
+    /// The source's parameter table. Nothing is computed from it. `touches` are those of the path.
     fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter>;
 
-    /// Reports what only the whole path shows: where it begins and ends against the feature. Paths start with `cycle.`.
+    /// Reports faults that only the whole path shows, such as its ends against the feature. Paths start with `cycle.`.
     fn review(&self, _setup: &Setup, _path: &Path, _checker: &mut Checker) {}
 
-    /// The fields whose value the control itself has (path, label): the moves are made with what the form shows instead.
+    /// Fields whose values the control has (path, label). The moves are planned with the form's values instead.
     fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
         Vec::new()
     }
 
-    /// The surfaces of the feature alone, as [`Cycle::plan`] gives them.
+    /// The surfaces of the feature, as in [`Cycle::plan`].
     fn surfaces(&self, setup: &Setup) -> Vec<Surface>;
 
-    /// The same cycle with `delta` (mm or degrees) added to the size named `key`; `None` if there is no such size, or
-    /// where nothing of the feature would be left.
+    /// The cycle with `delta` (mm or degrees) added to the size named `key`; `None` if there is no such size, or if nothing of the feature would remain.
     fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
 
-    /// Adds what is more than arithmetic: verdicts, and rows that single touches give. `triggers` has one entry a touch.
+    /// Adds rows beyond arithmetic: verdicts, and rows for single touches. `triggers` has one entry for each touch.
     fn judge(
         &self,
         _setup: &Setup,
@@ -133,11 +132,11 @@ pub trait Cycle {
     ) {
     }
 
-    /// Why the control's value of this result is off on a turned part, where it is.
+    /// Reason why the control's value of this result is wrong on a rotated part, if it is.
     fn turned_error(&self, code: &str) -> Option<&'static str>;
 }
 
-/// In place of a supertrait, which would keep every field of every form printable: in WebAssembly that is 4 kB of unused code.
+/// Replaces a supertrait, which would keep every field of every form printable: 4 kB of unused code in WebAssembly.
 impl std::fmt::Debug for dyn Cycle {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str("Cycle")

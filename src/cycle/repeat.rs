@@ -1,12 +1,12 @@
-//! How often a cycle touches each point.
+//! Repeated touches of each point.
 
 use crate::form::{Field, SubForm, form};
 
-/// The most touches of one point. HEIDENHAIN's controls repeat a touch up to three times as well [R].
+/// Largest number of touches of one point. HEIDENHAIN's controls also repeat a touch up to three times [R].
 const MOST_TIMES: i32 = 3;
 
 form! {
-    /// How often a cycle touches each point.
+    /// Repeated touches of each point.
     pub struct Repeat {
         /// How often each point is touched. The mean of these touches counts.
         times: i32 = Field::count("times", "Touches of each point", 2, 1, MOST_TIMES).group("Repeated touches"),
@@ -15,7 +15,7 @@ form! {
     }
 }
 
-/// The form that every cycle that touches may have besides its own.
+/// Additional form of every cycle that touches.
 pub const REPEAT: SubForm = SubForm {
     key: "repeat",
     fields: Repeat::FIELDS,

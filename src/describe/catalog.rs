@@ -1,4 +1,4 @@
-//! Everything a form needs: a reader of the one list of fields.
+//! Everything that a form needs, read from the one list of fields.
 
 use serde::Serialize;
 
@@ -24,44 +24,44 @@ pub struct Catalog {
     pub relations: Vec<RelationEntry>,
     /// Every control, with what its programs can do.
     pub posts: Vec<PostEntry>,
-    /// What programs are checked for.
+    /// Safety rules that programs are checked for.
     pub rules: Vec<RuleEntry>,
-    /// Codes of findings that hold for a control and form whatever the job: a page may say them once, at the control's name.
+    /// Codes of findings that hold for a control and form whatever the job. A page may show them once, at the control's name.
     pub standing: &'static [&'static str],
-    /// What the codes of a CmdPrm table are about; the first that fits counts.
+    /// Groups of codes in a CmdPrm table; the first matching group counts.
     pub code_groups: Vec<CodeGroup>,
-    /// The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
+    /// Assumed rate of rapids in `plan().time`, mm/min, if the program states none.
     pub rapid_rate: f64,
-    /// The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number.
+    /// Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.
     pub max_touches: usize,
-    /// The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
+    /// Length of the longest text that can become a job, in UTF-16 units (characters as JavaScript counts them).
     pub longest_text: usize,
-    /// The longest program whose moves are read, likewise.
+    /// Length of the longest program whose moves are read, in the same units.
     pub longest_program: usize,
 }
 
-/// A cycle, its form, and where it is documented.
+/// A cycle with its form and its source.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CycleEntry {
     /// The value of `cycle.type` in a job.
     #[serde(rename = "type")]
     pub key: &'static str,
-    /// The name that its source gives it.
+    /// Name given by its source.
     pub title: &'static str,
-    /// What it measures, in a sentence, in English.
+    /// What it measures: one sentence in English.
     pub says: &'static str,
-    /// What else people look for it by, in English: words for a search.
+    /// Further English search words.
     pub also: &'static str,
-    /// Who documents it, and as what: `ENCY/SprutCAM type 5`.
+    /// Source and number: `ENCY/SprutCAM type 5`.
     pub source: &'static str,
-    /// Its type number in the source's parameter table, where it has one.
+    /// Type number in the source's parameter table, if it has one.
     pub number: Option<i32>,
     /// Whether its touches may be picked one by one (`cycle.touches`).
     pub touches: bool,
-    /// The most touches it can have.
+    /// Largest number of touches.
     pub max_touches: usize,
-    /// Whether it has feeds and a search length of its own.
+    /// Whether it has its own feeds and search length.
     pub own_feeds: bool,
     /// Page of the manual: a path in this repository.
     pub doc: String,
@@ -78,7 +78,7 @@ pub struct CycleEntry {
 pub struct CycleSectionEntry {
     /// Key of the object in `cycle`.
     pub key: &'static str,
-    /// Whether it may be `null`, which is then its default.
+    /// Whether it may be `null`; this is then its default.
     pub optional: bool,
     /// The fields of that object, in order.
     pub fields: Vec<FieldEntry>,
@@ -90,17 +90,17 @@ pub struct RelationEntry {
     /// The value of `relations[].type` in a job.
     #[serde(rename = "type")]
     pub key: &'static str,
-    /// Its name for people, in English.
+    /// Label in English.
     pub label: &'static str,
-    /// What its results are, in English.
+    /// Its results: one sentence in English.
     pub says: &'static str,
     /// Whether its operands are positions, named by their cycles and relations; else single results.
     pub places: bool,
-    /// The fewest operands.
+    /// Smallest number of operands.
     pub least: usize,
-    /// The most operands; null if it takes any number.
+    /// Largest number of operands; null is any number.
     pub most: Option<usize>,
-    /// The codes of its results; of angles `.angle` is added to the first.
+    /// Codes of its results; `.angle` is added to the first if the operands are angles.
     pub results: &'static [&'static str],
 }
 
@@ -131,23 +131,23 @@ impl RelationEntry {
 /// One section of a job.
 #[derive(Clone, Debug, Serialize)]
 pub struct SectionEntry {
-    /// Its key in the job, empty for the job itself.
+    /// Key in the job; empty for the job itself.
     pub path: &'static str,
-    /// Whether it may be `null`, which is then its default.
+    /// Whether it may be `null`; this is then its default.
     pub optional: bool,
     /// The fields of the section, in order.
     pub fields: Vec<FieldEntry>,
 }
 
-/// One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units.
+/// One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the units of the job.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct FieldEntry {
     /// Key in its section.
     pub key: &'static str,
-    /// Short name for people, in English.
+    /// Label in English.
     pub label: &'static str,
-    /// What the field is for, in English.
+    /// Help text in English.
     pub help: &'static str,
     /// `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`.
     pub kind: &'static str,
@@ -157,30 +157,30 @@ pub struct FieldEntry {
     pub range: Option<[f64; 2]>,
     /// Whether the smallest number itself is excluded.
     pub above: bool,
-    /// Smallest and largest usual number: the check warns outside of them. Null where every allowed number is usual.
+    /// Smallest and largest usual number: the check warns outside of them. Null if every allowed number is usual.
     pub usual: Option<[f64; 2]>,
-    /// The value in a job that leaves the field out.
+    /// Value in a job that leaves the field out.
     pub default: DefaultEntry,
-    /// What a new job in inch begins with, in inch: a number that people type, near to `default`. A job in inch that leaves the field out has `default`.
+    /// Start value for a new job in inch, in inch: a round number near `default`. A job in inch that leaves the field out has `default`.
     pub default_inch: DefaultEntry,
-    /// What `null` means; null where it is not allowed.
+    /// Meaning of `null`; null if it is not allowed.
     pub null: Option<&'static str>,
     /// The allowed values of a choice or a code; else empty.
     pub choices: Vec<ChoiceEntry>,
-    /// Its code in the source's parameter table: `CmdPrm.Flt[-50]`. Null where it has none.
+    /// Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none.
     pub code: Option<&'static str>,
-    /// The heading under which a form shows it.
+    /// Heading above the field in a form.
     pub group: &'static str,
     /// Whether `part.sizes` may change it.
     pub size: bool,
-    /// What another field of its form must be for this one to count; null where it always counts.
+    /// Condition on another field of the form under which this one counts; null if it always counts.
     pub when: Option<WhenEntry>,
 }
 
-/// What a field must be for another one to count.
+/// Condition on a field under which another one counts.
 #[derive(Clone, Debug, Serialize)]
 pub struct WhenEntry {
-    /// Key of that other field, in the same form.
+    /// Key of the other field, in the same form.
     pub key: &'static str,
     /// The code that it must have.
     pub value: i32,
@@ -189,13 +189,13 @@ pub struct WhenEntry {
 /// One allowed value of a choice or a code.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChoiceEntry {
-    /// The word, or the number, in the job.
+    /// Word or number in the job.
     pub value: DefaultEntry,
-    /// The same for people, in English.
+    /// Label in English.
     pub label: &'static str,
 }
 
-/// A value as a job has it.
+/// A value in a job.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum DefaultEntry {
@@ -217,32 +217,32 @@ pub enum DefaultEntry {
 pub struct PostEntry {
     /// The value of `control.post` in a job.
     pub id: &'static str,
-    /// The control's name, for people.
+    /// Name of the control.
     pub title: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
-    /// Highest number of a work offset that a program can write; 0 where it can write none.
+    /// Highest number of a work offset that a program can write; 0 if it can write none.
     pub work_offsets: i32,
     /// Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
     pub first_length: bool,
     /// Whether its program watches positioning moves with the probe.
     pub watches: bool,
-    /// Whether its program computes the results itself.
+    /// Whether its program computes the results.
     pub computes: bool,
-    /// Whether its own cycles can correct a tool offset from a measured size.
+    /// Whether its native cycles can correct a tool offset from a measured size.
     pub corrects_tools: bool,
-    /// The fields of the job's section `control` that change nothing on it.
+    /// Fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
-    /// What its work offsets are called, from number 1.
+    /// Names of its work offsets, from number 1.
     pub work_offset_words: Vec<String>,
-    /// For each cycle, and each form of the program, whether the control takes it.
+    /// Whether the control supports each cycle, in each form of the program.
     pub cycles: Vec<SupportEntry>,
 }
 
-/// What some codes of a parameter table are about.
+/// A group of codes in a parameter table.
 #[derive(Clone, Debug, Serialize)]
 pub struct CodeGroup {
-    /// What these codes are about, as a heading.
+    /// Heading of the group.
     pub title: &'static str,
     /// The lowest code, included.
     pub lowest: i32,
@@ -250,18 +250,18 @@ pub struct CodeGroup {
     pub highest: i32,
 }
 
-/// A safety rule, as every program is checked for it.
+/// A safety rule that every program is checked for.
 #[derive(Clone, Debug, Serialize)]
 pub struct RuleEntry {
-    /// Its name, by which the plan's `safety` refers to it.
+    /// Name of the rule, as in the plan's `safety`.
     pub name: &'static str,
-    /// What it demands of a program, in a sentence.
+    /// Requirement for a program: one sentence.
     pub says: &'static str,
-    /// What could happen without it.
+    /// Possible consequence of breaking it.
     pub why: &'static str,
 }
 
-/// Whether a control takes a cycle in a form.
+/// Whether a control supports a cycle in a form.
 #[derive(Clone, Debug, Serialize)]
 pub struct SupportEntry {
     /// The value of `cycle.type`.
@@ -269,16 +269,16 @@ pub struct SupportEntry {
     pub key: &'static str,
     /// `moves`: plain moves and touches. `cycle`: the native cycle.
     pub form: &'static str,
-    /// Whether the control takes the cycle in this form.
+    /// Whether the control supports the cycle in this form.
     pub supported: bool,
-    /// Why not; null where it does.
+    /// Reason why not; null if it does.
     pub reason: Option<&'static str>,
     /// Whether this native cycle corrects the active preset, so that no work offset is chosen.
     #[serde(rename = "ownPreset")]
     pub own_preset: bool,
 }
 
-/// Every cycle, field, control and rule, as the checks themselves have them.
+/// Every cycle, field, control and rule, as the checks use them.
 pub fn catalog() -> Catalog {
     Catalog {
         format: FORMAT as u8,

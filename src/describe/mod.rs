@@ -1,5 +1,4 @@
-//! Self-description: the catalog, the JSON Schema of a job, the parameter table as text. Readers of the one list of
-//! fields and of the controls.
+//! Self-description: the catalog, the JSON Schema of a job, and the parameter table as text. All are read from the list of fields and the controls.
 
 mod catalog;
 mod schema;

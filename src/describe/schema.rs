@@ -1,7 +1,7 @@
 //! The JSON Schema of a job, read from the one list of fields.
 //!
-//! It says what a job looks like, and every range, in either units. What depends on several fields together, or on a text, only the check
-//! knows: `tests/package/schema.test.mjs` lists the codes of those findings.
+//! It gives the structure of a job and every range, in both units. Rules on several fields or on a text are known only to the check:
+//! `tests/package/schema.test.mjs` lists the codes of those findings.
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
@@ -96,7 +96,7 @@ pub fn job_schema() -> Value {
     )
 }
 
-/// The tolerances of results: which results there are depends on the cycle.
+/// Tolerances of results. The available results depend on the cycle.
 fn tolerances() -> Value {
     let actions = Consequence::ALL.map(|(word, _)| text(word)).to_vec();
     let own = object(
@@ -142,7 +142,7 @@ fn tolerances() -> Value {
     ]))
 }
 
-/// The tool that is corrected by a size: a form inside.
+/// Form of the tool that is corrected by a size.
 fn wear() -> Value {
     let own = WEAR.fields.iter().map(|f| (f.key.to_owned(), field(f)));
     let Value::Map(mut own) = object(own, &["tool"]) else {
@@ -155,7 +155,7 @@ fn wear() -> Value {
     nullable(Value::Map(own))
 }
 
-/// The same cycle in a set-up: each coordinate of its origin, its rotation and its sizes may follow a result.
+/// The cycle in a set-up: each coordinate of its origin, its rotation and its sizes may follow a result.
 fn following(mut cycle: Value, def: &CycleDef) -> Value {
     let inner = |value: &mut Value, key: &str, change: &dyn Fn(&mut Value)| {
         if let Value::Map(entries) = value {
@@ -217,7 +217,7 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
     cycle
 }
 
-/// What a job of several cycles has.
+/// Additional entries of a job with several cycles.
 fn set_up() -> [(String, Value); 4] {
     let pattern = format!("^[A-Za-z][A-Za-z0-9]{{0,{}}}$", LONGEST_NAME - 1);
     let name = map([
@@ -302,7 +302,7 @@ fn set_up() -> [(String, Value); 4] {
     ]
 }
 
-/// The ranges of lengths and feeds of a whole job whose units are so many mm.
+/// Ranges of lengths and feeds of a whole job. `scale` is mm in a unit.
 fn ranges(scale: f64) -> Value {
     let mut properties = Vec::new();
     for form in SECTIONS {
@@ -357,7 +357,7 @@ fn ranges(scale: f64) -> Value {
     ])
 }
 
-/// The sizes of the virtual part are those that its cycle has.
+/// Sizes of the virtual part: those of its cycle.
 fn sizes(def: &CycleDef, scale: f64) -> Value {
     let reach: Vec<Field> = def
         .fields
@@ -382,16 +382,16 @@ fn sizes(def: &CycleDef, scale: f64) -> Value {
     ])
 }
 
-/// Fields of an object inside, where there are any to say something of.
+/// Fields of an inner object; `None` if it has none.
 fn inside(key: String, own: Vec<(String, Value)>) -> Option<(String, Value)> {
     (!own.is_empty()).then(|| (key, map([("properties", Value::Map(own))])))
 }
 
-/// The ranges of the fields that have units.
+/// Ranges of the fields that have units.
 fn ends(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
     let range = |field: &Field| {
         let Range { min, max, above } = field.hard;
-        // As the check: what is converted may be beyond an end by the noise of its last decimal.
+        // As in the check: a converted value may exceed an end by the rounding of its last decimal.
         let noise = if scale == 1.0 { 0.0 } else { Range::NOISE };
         let low = if above {
             ("exclusiveMinimum", min)
@@ -417,7 +417,7 @@ fn ends(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
         .collect()
 }
 
-/// What holds where an object has these.
+/// Schema of an object with these properties.
 fn object_of<const N: usize>(properties: [(&str, Value); N], required: &[&str]) -> Value {
     map([
         ("properties", map(properties)),
@@ -428,7 +428,7 @@ fn object_of<const N: usize>(properties: [(&str, Value); N], required: &[&str]) 
     ])
 }
 
-/// The form of a cycle, with what it has beside it.
+/// Form of a cycle, with its additional entries.
 fn cycle(def: &CycleDef, more: Vec<(String, Value)>) -> Value {
     let mut properties = vec![("type".to_owned(), map([("const", text(def.key))]))];
     properties.extend(more);
@@ -512,7 +512,7 @@ fn field(field: &Field) -> Value {
                 entries.push((least, Value::Number(field.hard.min)));
                 entries.push(("maximum", Value::Number(field.hard.max)));
             }
-            // The ranges of what has units are said at the end, for either.
+            // Ranges of fields with units come at the end, for both units.
             _ => {}
         }
         map(entries)

@@ -11,7 +11,7 @@ pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
     export_table_with_calls(plan, None, format)
 }
 
-/// The same, in `csv` and `json` with the words of native cycles that take each row, as [`calls`](crate::job::calls) has them.
+/// The same with, in `csv` and `json`, the words of native calls that correspond to each row, as in [`calls`](crate::job::calls).
 pub fn export_table_with_calls(
     plan: &Plan,
     calls: Option<&[Vec<String>]>,
@@ -26,7 +26,7 @@ pub fn export_table_with_calls(
     };
     match format {
         "csv" => {
-            // Of a set-up each row says its cycle.
+            // In a set-up each row has its cycle.
             let several = !plan.cycles.is_empty();
             let (call_heading, cycle_heading) = (
                 if calls.is_some() { ",call" } else { "" },
@@ -82,7 +82,7 @@ pub fn export_table_with_calls(
     }
 }
 
-/// A value as a dump shows it: numbers plainly and in full, text unchanged.
+/// A value as in a dump: numbers plainly and in full, text unchanged.
 fn value(row: &ParameterRow) -> String {
     match &row.value {
         ParameterValue::Whole(n) => n.to_string(),
@@ -92,7 +92,7 @@ fn value(row: &ParameterRow) -> String {
     }
 }
 
-/// A CSV cell: in quotes where it needs them (RFC 4180).
+/// A CSV cell, quoted if necessary (RFC 4180).
 fn cell(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
@@ -120,7 +120,7 @@ fn json_row(row: &ParameterRow, call: Option<String>) -> String {
     )
 }
 
-/// A JSON string. Codes, meanings and checked values are printable; what JSON needs escaped is escaped all the same.
+/// A JSON string. Codes, meanings and checked values are printable; characters that JSON requires to be escaped are escaped nevertheless.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

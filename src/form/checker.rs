@@ -1,4 +1,4 @@
-//! Reading a loose form: every problem is reported at once, with its path, and reading never stops at the first.
+//! Reads a loose form: every problem is reported with its path, and reading never stops at the first.
 
 use crate::form::field::Checked;
 use crate::form::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
@@ -14,15 +14,15 @@ pub struct Checker {
     pub scale: f64,
     /// The unit's name, `mm` or `inch`.
     pub unit: &'static str,
-    /// What is read, as messages call it.
+    /// Name of the read object in messages.
     pub whole: &'static str,
     found: Vec<Finding>,
 }
 
-/// The most findings that are listed; the rest is counted. Errors come before warnings, and those before notes.
+/// Largest number of listed findings; further ones are counted. Errors come before warnings, warnings before notes.
 const MOST_FINDINGS: usize = 200;
 
-/// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
+/// A checker for a job in mm; set `scale` and `unit` after the job's units are known.
 impl std::default::Default for Checker {
     fn default() -> Self {
         Checker {
@@ -35,7 +35,7 @@ impl std::default::Default for Checker {
 }
 
 impl Checker {
-    /// A checker for what belongs to a job whose units are known: so many mm, and the name.
+    /// A checker in the units of a known job: mm in a unit, and its name.
     pub fn in_units(scale: f64, unit: &'static str) -> Self {
         Checker {
             scale,
@@ -44,7 +44,7 @@ impl Checker {
         }
     }
 
-    /// A section as it is called in a message.
+    /// Name of a section in a message.
     fn place(&self, path: &str) -> Part {
         if path.is_empty() {
             Text::words(self.whole).into()
@@ -69,7 +69,7 @@ impl Checker {
         self.found.push(Finding::new(level, code, path, message));
     }
 
-    /// Takes in what was found elsewhere.
+    /// Adds a finding from elsewhere.
     pub fn adopt(&mut self, finding: Finding) {
         self.found.push(finding);
     }
@@ -93,10 +93,10 @@ impl Checker {
         self.found.iter().any(|f| f.path == path)
     }
 
-    /// Everything found, in the order found; last, where there are too many to list, how many more.
+    /// All findings in order. If there are too many to list, the last one gives the number of the others.
     pub fn findings(mut self) -> Vec<Finding> {
         const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];
-        // How many of each level may still be listed, and how many are beyond the list.
+        // Remaining room for each level, and the number of findings beyond the list.
         let mut room = [0; 3];
         let mut more = [0; 3];
         let mut left = MOST_FINDINGS;
@@ -135,7 +135,7 @@ impl Checker {
         self.found.iter().any(|f| f.level == Level::Error)
     }
 
-    /// Whether none of these paths (or anything inside or around them) has an error.
+    /// Whether none of these paths, nor anything inside or around them, has an error.
     pub fn is_clean(&self, paths: &[&str]) -> bool {
         let inside = |long: &str, short: &str| {
             long.strip_prefix(short)
@@ -149,12 +149,12 @@ impl Checker {
         !paths.iter().any(|path| touched(path))
     }
 
-    /// A length in mm as the job's user reads it: `3.5 mm`, `0.1378 inch`.
+    /// A length in mm in the units of the job: `3.5 mm`, `0.1378 inch`.
     pub fn length(&self, mm: f64) -> String {
         format!("{} {}", self.number(mm), self.unit)
     }
 
-    /// The unit of a kind of value, with a space before a word; empty where it has none.
+    /// The unit of a kind of value, with a space before a word; empty if it has none.
     pub fn unit_of(&self, kind: Kind) -> String {
         match kind {
             Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => {
@@ -170,25 +170,25 @@ impl Checker {
         }
     }
 
-    /// A length in mm that must not come out smaller: rounded up to the last decimal that is shown.
+    /// A length in mm, rounded up to the last shown decimal: it must not become smaller.
     pub fn rounded_up(&self, mm: f64) -> String {
         let step = if self.scale == 1.0 { 1e4 } else { 1e5 };
         self.length((mm / self.scale * step - 1e-3).ceil() / step * self.scale)
     }
 
-    /// A length in mm as a bare number in the job's units.
+    /// A length in mm as a bare number in the units of the job.
     pub fn number(&self, mm: f64) -> String {
         decimal(mm / self.scale, if self.scale == 1.0 { 4 } else { 5 })
     }
 
-    /// A position in the job's units, for a message: `X 1, Y 2, Z 3`.
+    /// A position in the units of the job, for a message: `X 1, Y 2, Z 3`.
     pub fn position(&self, mm: Vec3) -> String {
         let axis = |i: usize| format!("{} {}", AXIS_NAMES[i], self.number(mm[i]));
         [0, 1, 2].map(axis).join(", ")
     }
 }
 
-/// One object of the job while it is read.
+/// An object of the job during reading.
 #[derive(Debug)]
 pub struct Section<'a, 'c> {
     pub checker: &'c mut Checker,
@@ -197,7 +197,7 @@ pub struct Section<'a, 'c> {
 }
 
 impl<'a, 'c> Section<'a, 'c> {
-    /// The object `value` at `path` (empty for the job itself). Absent is fine; anything but an object is reported.
+    /// The object `value` at `path` (empty for the job itself). It may be absent; anything but an object is reported.
     pub fn new(checker: &'c mut Checker, value: Option<&'a Value>, path: &'a str) -> Self {
         let value = match value {
             None | Some(Value::Map(_)) => value,
@@ -221,7 +221,7 @@ impl<'a, 'c> Section<'a, 'c> {
         }
     }
 
-    /// The object itself, where it is one.
+    /// The object itself, if it is one.
     pub fn value(&self) -> Option<&'a Value> {
         self.value
     }
@@ -231,7 +231,7 @@ impl<'a, 'c> Section<'a, 'c> {
         self.value.and_then(|v| v.get(key))
     }
 
-    /// Reads a form inside this one; `None` if it is null or absent and may be.
+    /// Reads an inner form; `None` if it may be null or absent and is.
     pub fn sub<T>(&mut self, form: &SubForm, read: fn(&mut Section<'_, '_>) -> T) -> Option<T> {
         let value = self.get(form.key);
         if form.optional && matches!(value, None | Some(Value::Null)) {
@@ -280,7 +280,7 @@ impl<'a, 'c> Section<'a, 'c> {
         }
     }
 
-    /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
+    /// The number at `path`, finite and inside the ranges of the field, in mm, mm/min, degrees or whole.
     pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
         let given = match (value, nominal_of(value, field, self.checker.scale)) {
             (Value::Number(given), _) => *given,
@@ -327,7 +327,7 @@ impl<'a, 'c> Section<'a, 'c> {
             );
             return None;
         }
-        // The end of a range, said in inch, is not said to the last bit.
+        // The end of a range, converted to inch, is not exact.
         let inner = if scale == 1.0 {
             given
         } else {
@@ -336,7 +336,7 @@ impl<'a, 'c> Section<'a, 'c> {
         let unit = self.checker.unit_of(field.kind);
         let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
         if !field.hard.holds(inner) {
-            // Rounded inwards: what the message allows is allowed.
+            // Rounded inwards: a value that the message allows is allowed.
             let inwards = |x: f64, way: f64| {
                 let shown = number(x);
                 let off = crate::num::read(&shown).map_or(0.0, |shown| (shown * scale - x) * way);
@@ -388,7 +388,7 @@ impl<'a, 'c> Section<'a, 'c> {
         Some(inner)
     }
 
-    /// The nominal value at `path`: a number, or text of one of the forms of `tolerance`. In mm.
+    /// The nominal value at `path`: a number, or text in one of the forms of `tolerance`. In mm.
     pub fn nominal(&mut self, value: &Value, field: &Field, path: &str) -> Option<Nominal> {
         let Value::Text(text) = value else {
             return self.number(value, field, path).map(Nominal::number);
@@ -397,7 +397,7 @@ impl<'a, 'c> Section<'a, 'c> {
         let parsed = match tolerance::parse(text, scale) {
             Ok(parsed) => parsed,
             Err(why) => {
-                // Where the value has no form at all, the forms are said already.
+                // If the value has no valid form, the message lists the forms already.
                 let said = why.english().contains(tolerance::FORMS);
                 let message = if said {
                     text!("{label}: {why}", field.label, why)
@@ -650,7 +650,7 @@ impl Checked for String {
     }
 }
 
-/// Nominal value of a size that contains a tolerance; `None` for any other value.
+/// Nominal value of a size with a tolerance; `None` for any other value.
 fn nominal_of(value: &Value, field: &Field, scale: f64) -> Option<Result<f64, Text>> {
     let Value::Text(text) = value else {
         return None;
@@ -703,7 +703,7 @@ fn not_a_number(value: &Value, field: &Field) -> Text {
     }
 }
 
-/// Why a text in the place of a number is not read: which of its readings is refused, and what to enter.
+/// Reason why a text in the place of a number cannot be read, and what to enter.
 fn not_read(text: &str, field: &Field) -> Text {
     let label = field.label;
     if text.is_empty() {
@@ -712,7 +712,7 @@ fn not_read(text: &str, field: &Field) -> Text {
     let shown = printable(text);
     let plain = text.trim_start_matches(['+', '-', '\u{2212}']);
     let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-    // `1,000` or `1.000`, where that is not the decimal sign.
+    // `1,000` or `1.000`, if the sign is not the decimal sign.
     if let Some((whole, zeros)) = plain
         .split_once([',', '.'])
         .filter(|(whole, rest)| digits(whole) && *rest == "000")
@@ -725,7 +725,7 @@ fn not_read(text: &str, field: &Field) -> Text {
             whole.to_owned()
         );
     }
-    // `1-1/2`, as inches are read off a drawing, or as a difference.
+    // `1-1/2`: inches as on a drawing, or a difference.
     if let Some((whole, fraction)) = plain.split_once('-').filter(|(whole, _)| digits(whole))
         && let Some((over, under)) = fraction
             .split_once('/')
@@ -766,7 +766,7 @@ fn not_read(text: &str, field: &Field) -> Text {
     text!("{label} must be a number, not \"{text}\"", label, shown)
 }
 
-/// A user's text, short and without control characters, fit for a message.
+/// A user's text, shortened and without control characters, for a message.
 pub(crate) fn printable(text: &str) -> String {
     let mut shown: String = text
         .chars()

@@ -1,6 +1,6 @@
-//! Every code of a finding, and what it means. Codes are stable: portals act on them.
+//! Codes of findings with their meanings. Codes are stable: portals act on them.
 
-/// Those that say how a control, or a form of its programs, always is: no job is better or worse by them.
+/// Codes that describe a control or a form of its programs. They do not depend on the job.
 pub const STANDING: &[&str] = &[
     "approach-not-watched",
     "no-results-in-program",

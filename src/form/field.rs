@@ -2,37 +2,37 @@
 
 use crate::form::Section;
 
-/// One field: everything a form, a check, a table and a manual need to know about it.
+/// One field: everything that a form, a check, a table and a manual need.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
     /// Key in the job.
     pub key: &'static str,
-    /// Short name for people.
+    /// Label on a form.
     pub label: &'static str,
-    /// One or two sentences on what it does.
+    /// One or two sentences about its effect.
     pub help: &'static str,
     pub kind: Kind,
-    /// The value where the job says nothing; lengths in mm, feeds in mm/min, accelerations in mm/s², times in ms, angles in degrees.
+    /// Value if the job leaves it out. Lengths in mm, feeds in mm/min, accelerations in mm/s², times in ms, angles in degrees.
     pub default: Default,
-    /// What a new job in inch begins with, in inch, where that is not `default` brought to a number that people type.
+    /// Start value for a new job in inch, in inch, if it is not `default` rounded to a usual number.
     pub inch: Option<f64>,
-    /// What is allowed; same units as `default`.
+    /// Allowed range, in the units of `default`.
     pub hard: Range,
-    /// What is usual; a warning outside.
+    /// Usual range; a warning outside.
     pub usual: Option<(f64, f64)>,
-    /// Why the hard range is what it is, where that is not plain.
+    /// Reason for the allowed range, if it is not obvious.
     pub reason: &'static str,
-    /// Whether `null` is a value of its own, and what it means.
+    /// Whether `null` is allowed, and its meaning.
     pub null: Option<&'static str>,
-    /// The parameter code of the source, `CmdPrm.Flt[-50]`, or empty.
+    /// Parameter code of the source, `CmdPrm.Flt[-50]`, or empty.
     pub code: &'static str,
-    /// The heading that a form shows it under.
+    /// Heading above the field in a form.
     pub group: &'static str,
     /// Whether it is a size of the part that the virtual part may change.
     pub size: bool,
-    /// The other field of its form, and the number that this must have for the field to count at all.
+    /// Another field of the form, and the number that it must have for this field to count.
     pub when: Option<(&'static str, i32)>,
-    /// Which view shows what it gives, where no dimension of its own does.
+    /// View that shows the value, if no dimension shows it.
     #[cfg_attr(
         not(target_arch = "wasm32"),
         allow(dead_code, reason = "the page looks for the view")
@@ -40,29 +40,29 @@ pub struct Field {
     pub seen: Option<Seen>,
 }
 
-/// In which view of a part a value is seen.
+/// View of a part in which a value is visible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Seen {
-    /// A turn about the tool axis, or a way in any direction of the plane: from the top.
+    /// A rotation about the tool axis, or a distance in any direction of the plane: visible from the top.
     Turning,
-    /// A height: where the tool axis is seen in its true length.
+    /// A height: visible where the tool axis has its true length.
     Upright,
-    /// A place: each coordinate where its axis is seen in its true length.
+    /// A position: each coordinate is visible where its axis has its true length.
     Placed,
 }
 
-/// What kind of value a field takes, and with it the unit.
+/// Kind of value of a field, which gives the unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A length in the job's units.
     Length,
     /// A feed in the job's units per minute.
     Feed,
-    /// The job's units per second squared.
+    /// An acceleration in the job's units per second squared.
     Acceleration,
-    /// Milliseconds.
+    /// A time in milliseconds.
     Time,
-    /// Degrees.
+    /// An angle in degrees.
     Angle,
     Count,
     Flag,
@@ -74,7 +74,7 @@ pub enum Kind {
     Point,
     /// One of a fixed set of whole numbers.
     Code(&'static [Code]),
-    /// A length, or text with a tolerance, an unknown or a given place: see `tolerance`.
+    /// A length, or text with a tolerance, an unknown or a given position: see `tolerance`.
     Nominal,
     /// Three nominal values: X, Y, Z.
     NominalPoint,
@@ -114,12 +114,12 @@ pub struct Code {
 pub struct SubForm {
     pub key: &'static str,
     pub fields: &'static [Field],
-    /// Whether it may be `null`, and is where the job says nothing.
+    /// Whether it may be `null`; this is then its default.
     pub optional: bool,
 }
 
 impl SubForm {
-    /// A form whose fields have their defaults where the job leaves it out.
+    /// A form whose fields have their defaults if the job leaves it out.
     pub const fn required(key: &'static str, fields: &'static [Field]) -> Self {
         SubForm {
             key,
@@ -143,11 +143,11 @@ impl SubForm {
 pub struct Choice {
     /// The word in the job.
     pub value: &'static str,
-    /// What a person reads.
+    /// Label on a form.
     pub label: &'static str,
 }
 
-/// A field's value where the job says nothing.
+/// Default value of a field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Default {
     Number(f64),
@@ -159,27 +159,26 @@ pub enum Default {
     Null,
 }
 
-/// The numbers a field allows.
+/// Allowed numbers of a field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     pub min: f64,
-    /// The largest, always included.
+    /// The largest allowed number.
     pub max: f64,
     /// Whether `min` itself is excluded.
     pub above: bool,
 }
 
 impl Range {
-    /// What a converted number may lie beyond an end, mm.
+    /// Largest excess of a converted number over an end, mm.
     pub const NOISE: f64 = 1.5e-5;
 
-    /// Whether a number that was computed lies inside, give or take the noise of the computation.
+    /// Whether a computed number is inside, within the rounding of the computation.
     pub fn nearly_holds(&self, x: f64) -> bool {
         self.holds(self.snapped(x))
     }
 
-    /// A computed number, brought to an end of the range where it lies beyond it by no more than noise: half of the last of six decimals in
-    /// inch.
+    /// Moves a computed number onto an end of the range that it exceeds by rounding only: half of the last of six decimals in inch.
     pub fn snapped(&self, x: f64) -> f64 {
         let inside = crate::num::within(x, self.min, self.max);
         if (x - inside).abs() <= Self::NOISE {
@@ -189,7 +188,7 @@ impl Range {
         }
     }
 
-    /// Whether a number lies inside. NaN does not.
+    /// Whether a number is inside. NaN is not.
     pub fn holds(&self, x: f64) -> bool {
         x <= self.max
             && if self.above {
@@ -227,7 +226,7 @@ impl Field {
         }
     }
 
-    /// A length, by default anywhere from −100 m to 100 m.
+    /// A length, by default from −100 m to 100 m.
     pub const fn length(key: &'static str, label: &'static str, default: f64) -> Self {
         let hard = Range {
             min: -100_000.0,
@@ -237,7 +236,7 @@ impl Field {
         Field::new(key, label, Kind::Length, Default::Number(default), hard)
     }
 
-    /// A feed of at least 0.1 mm/min: less could be printed as 0.
+    /// A feed of at least 0.1 mm/min: a smaller one could be printed as 0.
     pub const fn feed(key: &'static str, label: &'static str, default: f64) -> Self {
         let hard = Range {
             min: 0.1,
@@ -410,7 +409,7 @@ impl Field {
         Field::new(key, label, Kind::Point, Default::Point([0.0; 3]), hard)
     }
 
-    /// With a help text, unless it is empty.
+    /// Adds a help text, unless it is empty.
     pub const fn documented(self, help: &'static str) -> Self {
         if help.is_empty() {
             self
@@ -450,74 +449,74 @@ impl Field {
         self
     }
 
-    /// What a new job in inch begins with.
+    /// Sets the start value for a new job in inch.
     pub const fn in_inch(mut self, default: f64) -> Self {
         self.inch = Some(default);
         self
     }
 
-    /// Why the range ends where it does.
+    /// Sets the reason for the range.
     pub const fn because(mut self, reason: &'static str) -> Self {
         self.reason = reason;
         self
     }
 
-    /// `null` is allowed and means this.
+    /// Allows `null`, with this meaning.
     pub const fn null_means(mut self, meaning: &'static str) -> Self {
         self.null = Some(meaning);
         self
     }
 
-    /// Another point where the job says nothing.
+    /// Sets the default of a point.
     pub const fn at(mut self, default: [f64; 3]) -> Self {
         self.default = Default::Point(default);
         self
     }
 
-    /// `null` where the job says nothing.
+    /// Makes `null` the default.
     pub const fn null_by_default(mut self) -> Self {
         self.default = Default::Null;
         self
     }
 
-    /// The parameter code of the source.
+    /// Sets the parameter code of the source.
     pub const fn code(mut self, code: &'static str) -> Self {
         self.code = code;
         self
     }
 
-    /// The heading that a form shows it under.
+    /// Sets the heading above the field in a form.
     pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;
         self
     }
 
-    /// It counts only while another field of its form has this number.
+    /// Makes the field count only while another field of the form has this number.
     pub const fn only_with(mut self, key: &'static str, number: i32) -> Self {
         self.when = Some((key, number));
         self
     }
 
-    /// Seen so where no dimension of its own is drawn.
+    /// Sets the view for a field without its own dimension.
     pub const fn seen(mut self, seen: Seen) -> Self {
         self.seen = Some(seen);
         self
     }
 
-    /// A size that the virtual part may change.
+    /// Marks a size that the virtual part may change.
     pub const fn size(mut self) -> Self {
         self.size = true;
         self
     }
 }
 
-/// A type that a field's checked value has.
+/// Type of a field's checked value.
 pub trait Checked: Sized {
-    /// Takes the value of `field` out of `section`, reporting what is wrong with it. Where nothing usable is there, the
-    /// default applies, so that reading can continue; the report already says that no plan will be made.
+    /// Takes the value of `field` from `section` and reports faults. If there is no usable value, the default applies, so that reading can continue; the
+    /// reported error prevents a plan.
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self;
 
-    /// The value as a plain one.
+    /// The value in plain form.
     fn shown(&self) -> Shown {
         Shown::Nothing
     }
@@ -540,7 +539,7 @@ pub trait Values {
     fn values(&self) -> Vec<(&'static Field, Shown)>;
 }
 
-/// Declares a form: a struct of checked values, its list of fields, and how it is read. Doc comments are the help texts.
+/// Declares a form: a struct of checked values, its list of fields, and the function that reads it. Doc comments are the help texts.
 macro_rules! form {
     ($(#[doc = $doc:literal])* $vis:vis struct $name:ident {
         $($(#[doc = $help:literal])* $key:ident : $type:ty = $field:expr,)*
@@ -554,7 +553,7 @@ macro_rules! form {
             pub const FIELDS: &'static [$crate::form::Field] =
                 &[$($field.documented($crate::form::trimmed(concat!($($help),*))),)*];
 
-            /// Reads the checked values out of a section, reporting every problem.
+            /// Reads the checked values from a section and reports every problem.
             pub fn read(section: &mut $crate::form::Section<'_, '_>) -> Self {
                 let mut fields = Self::FIELDS.iter();
                 $(let $key = $crate::form::take(section, fields.next().expect("one field for each member"));)*

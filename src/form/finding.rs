@@ -1,39 +1,39 @@
-//! Findings: what is wrong, unusual or worth knowing about a job, as data.
+//! Findings as data: errors, warnings and notes about a job.
 
 use serde::Serialize;
 
 use crate::form::codes::is_listed;
 use crate::text::Text;
 
-/// How much a finding weighs.
+/// Weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
-    /// No plan is made.
+    /// Prevents a plan.
     Error,
-    /// A plan is made; look at it before use.
+    /// Allows a plan that should be looked at before use.
     Warning,
-    /// A plan is made; nothing needs to be changed.
+    /// Allows a plan; nothing needs to be changed.
     Info,
 }
 
-/// A problem, or something worth knowing.
+/// An error, warning or note.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
-    /// Whether it keeps the job from being planned.
+    /// Weight; an error prevents the plan.
     pub level: Level,
     /// A stable, kebab-case name for programs to switch on, one of [`CODES`](crate::form::CODES).
     pub code: String,
-    /// The place in the job: `cycle.sideClearance1`, `feeds.work`; empty for the job as a whole.
+    /// Position in the job: `cycle.sideClearance1`, `feeds.work`; empty for the whole job.
     pub path: String,
-    /// Plain words for a person, with numbers in the job's units.
+    /// Message in plain words, with numbers in the units of the job.
     pub message: String,
-    /// The message as a template and its values: with a list of words it can be said in another language.
+    /// The message as a template and its values: with a list of words it can be translated.
     pub said: Text,
 }
 
 impl Finding {
-    /// Its English `message` is made from `said`.
+    /// Creates a finding. Its English `message` is made from `said`.
     pub fn new(level: Level, code: &str, path: impl Into<String>, said: Text) -> Self {
         debug_assert!(is_listed(code), "the code {code} stands in form/codes.rs");
         Finding {

@@ -1,7 +1,7 @@
-//! What a job may say: fields declared once, and the check that turns a loose form into checked values.
+//! Contents of a job: fields declared once, and the check that turns a loose form into checked values.
 //!
-//! A `Field` knows its key, label, help, kind, default, ranges and parameter code. The checks, the form on the page,
-//! the JSON Schema and the property-test strategies are all read from the same list.
+//! A `Field` has key, label, help, kind, default, ranges and parameter code. The checks, the form on the page, the JSON Schema and the property-test strategies
+//! are all read from the same list.
 
 mod checker;
 mod codes;
@@ -23,12 +23,12 @@ pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'st
     T::take(section, field)
 }
 
-/// A checked value as a plain one.
+/// A checked value in plain form.
 pub(crate) fn shown<T: field::Checked>(value: &T) -> Shown {
     value.shown()
 }
 
-/// A doc comment without the space that starts it.
+/// A doc comment without its leading space.
 pub(crate) const fn trimmed(text: &'static str) -> &'static str {
     match text.as_bytes() {
         [b' ', ..] => text.split_at(1).1,

@@ -1,11 +1,11 @@
-//! The loose value a job arrives as, whatever it was written in.
+//! The loose value of a job, whatever format it came in.
 
 use crate::text::{Text, text};
 
-/// Any JSON-like value, plus what JSON cannot say but JavaScript can hand over.
+/// Any JSON-like value, including those that JavaScript can pass but JSON cannot express.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// `null`: a value of its own, unlike an absent key.
+    /// `null`, which differs from an absent key.
     Null,
     /// `true` or `false`.
     Flag(bool),
@@ -15,14 +15,14 @@ pub enum Value {
     Text(String),
     /// An array.
     List(Vec<Value>),
-    /// Keys and values in the order they came.
+    /// Keys and values in their original order.
     Map(Vec<(String, Value)>),
-    /// Something that has no place in a job (a function, a cyclic object), by its name.
+    /// A value that cannot be in a job (a function, a cyclic object), by its name.
     Other(&'static str),
 }
 
 impl Value {
-    /// The value under `key`, if this is a map that has it. Of a key given twice the last one counts.
+    /// The value under `key`, if this is a map that has it. If a key occurs twice, the last value counts.
     pub fn get(&self, key: &str) -> Option<&Value> {
         match self {
             Value::Map(entries) => entries.iter().rev().find(|(k, _)| k == key).map(|(_, v)| v),
@@ -30,7 +30,7 @@ impl Value {
         }
     }
 
-    /// The same, to be changed.
+    /// The value under `key`, mutable.
     pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
         match self {
             Value::Map(entries) => entries
@@ -42,7 +42,7 @@ impl Value {
         }
     }
 
-    /// Puts a value under `key`, in place of the one that counts there. What is no map stays as it is.
+    /// Puts a value under `key` in place of the current one. Anything but a map stays unchanged.
     pub(crate) fn put(&mut self, key: &str, value: Value) {
         if let Some(place) = self.get_mut(key) {
             *place = value;
@@ -51,7 +51,7 @@ impl Value {
         }
     }
 
-    /// What this is, in a word for people.
+    /// The kind of the value in a word, for messages.
     pub fn noun(&self) -> Text {
         match self {
             Value::Null => text!("null"),

@@ -9,19 +9,19 @@ use crate::geom::{Vec2, Vec3};
 pub struct CircleFit {
     pub center: Vec2,
     pub radius: f64,
-    /// The change of (centre, centre, radius) for a shift of each point along the first and along the second axis.
+    /// Derivative of (centre abscissa, centre ordinate, radius) by a shift of each point along the first and along the second axis.
     pub by_point: Vec<[Vec3; 2]>,
-    /// The root mean square distance of the points from the circle.
+    /// Root mean square distance of the points from the circle.
     pub residual: f64,
 }
 
-/// The circle with the least sum of squared distances (geometric, by Gauss and Newton); through three points the exact one.
-/// `None` if the points lie on a line or on one spot.
+/// Fits the circle with the smallest sum of squared distances (geometric, Gauss-Newton); through three points it is exact. `None` if the points are collinear
+/// or coincide.
 pub fn fit_circle(points: &[Vec2]) -> Option<CircleFit> {
     let mean = points.iter().sum::<Vec2>() / points.len() as f64;
     let near: Vec<Vec2> = points.iter().map(|p| *p - mean).collect();
     let (mut center, mut radius) = algebraic(&near)?;
-    // How a point pulls at centre and radius, and how far from the centre it is.
+    // Derivative of a point's distance by centre and radius, and its distance from the centre.
     let pull = |p: Vec2, center: Vec2| {
         let far = p.distance(center);
         (((p - center) / far).extend(1.0), far)
@@ -65,7 +65,7 @@ pub fn fit_circle(points: &[Vec2]) -> Option<CircleFit> {
     })
 }
 
-/// The circle that minimises Σ(x² + y² − 2ax − 2by − c)², to start from. The points lie about the origin.
+/// The circle that minimises Σ(x² + y² − 2ax − 2by − c)², as a starting value. The points are centred on the origin.
 fn algebraic(near: &[Vec2]) -> Option<(Vec2, f64)> {
     let sum = |f: &dyn Fn(Vec2) -> f64| near.iter().map(|p| f(*p)).sum::<f64>();
     let (uu, vv, uv) = (

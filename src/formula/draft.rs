@@ -1,4 +1,4 @@
-//! How a formula is written: with operators, on handles that are copied.
+//! Builds a formula with operators on copyable handles.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Sub};
@@ -10,7 +10,7 @@ use crate::formula::{
 };
 use crate::num::tidy;
 
-/// A formula that is being written. Its expressions put their nodes into it.
+/// A formula under construction. Its expressions add their nodes to it.
 #[derive(Debug, Default)]
 pub struct Draft(RefCell<Formula>);
 
@@ -21,7 +21,7 @@ pub struct Expr<'f> {
     pub(super) node: NodeId,
 }
 
-/// A named value of a draft: what [`Draft::set`] gives.
+/// A named value of a draft, returned by [`Draft::set`].
 #[derive(Clone, Copy, Debug)]
 pub struct Value<'f> {
     draft: &'f Draft,
@@ -29,7 +29,7 @@ pub struct Value<'f> {
 }
 
 impl Draft {
-    /// An empty one, with room for what is usually computed from so many touches.
+    /// An empty draft with capacity for the usual number of nodes for so many touches.
     pub fn with_room_for(touches: usize) -> Self {
         let (nodes, assignments) = (
             Vec::with_capacity(64 * touches + 16),
@@ -42,12 +42,12 @@ impl Draft {
         }))
     }
 
-    /// One that continues where a formula ends.
+    /// A draft that continues an existing formula.
     pub(super) fn continuing(formula: Formula) -> Self {
         Draft(RefCell::new(formula))
     }
 
-    /// The handle of a value that has its name.
+    /// Handle of a value that already has a name.
     pub(super) fn known(&self, variable: Variable) -> Value<'_> {
         Value {
             draft: self,
@@ -55,12 +55,12 @@ impl Draft {
         }
     }
 
-    /// A result that is stated.
+    /// A result that was stated before.
     pub(super) fn result_at(&self, index: usize) -> ResultDef {
         self.0.borrow().results[index].clone()
     }
 
-    /// Not inlined: it is called from everywhere, and small there.
+    /// Adds a node. Not inlined: it has many callers, and inlining made the module larger.
     #[inline(never)]
     pub(super) fn push(&self, node: Node) -> Expr<'_> {
         let nodes = &mut self.0.borrow_mut().nodes;
@@ -81,7 +81,7 @@ impl Draft {
         self.push(Node::Length(mm))
     }
 
-    /// Coordinate `axis` of the trigger of a sample.
+    /// Coordinate `axis` of the trigger point of a sample.
     pub fn trigger(&self, sample: usize, axis: usize) -> Expr<'_> {
         debug_assert!(axis < 3, "axis {axis}");
         self.push(Node::Trigger {
@@ -109,7 +109,7 @@ impl Draft {
         self.push(Node::Circle(samples, part))
     }
 
-    /// The sum of these, in their order; 0 of none.
+    /// Sum of the expressions in order; 0 if there are none.
     pub fn sum<'f, T: Into<Expr<'f>>>(&'f self, parts: impl Iterator<Item = T>) -> Expr<'f> {
         parts
             .map(Into::into)
@@ -117,7 +117,7 @@ impl Draft {
             .unwrap_or_else(|| self.number(0.0))
     }
 
-    /// The component along a constant direction of the point (a, o): `a · along.0 + o · along.1`, with ±1 and 0 written plainly.
+    /// Component of the point (a, o) along a constant direction: `a · along.0 + o · along.1`, with ±1 and 0 simplified.
     pub fn project<'f>(
         &'f self,
         a: impl Into<Expr<'f>>,
@@ -135,7 +135,7 @@ impl Draft {
         if c2 < 0.0 { begin - rest } else { begin + rest }
     }
 
-    /// Names a value and gives its handle.
+    /// Names a value and returns its handle.
     pub fn set<'f>(&'f self, name: impl Into<Name>, expr: impl Into<Expr<'f>>) -> Value<'f> {
         self.assign(name.into(), expr.into().node)
     }
@@ -153,7 +153,7 @@ impl Draft {
         }
     }
 
-    /// States a result; `None` if these touches cannot give it.
+    /// States a result. Its value is `None` if these touches cannot give it.
     pub fn result(
         &self,
         code: &'static str,
@@ -176,21 +176,21 @@ impl Draft {
         });
     }
 
-    /// The deviation of the last result is measured from here.
+    /// Sets the value from which the deviation of the last result is counted.
     pub fn referred_to(&self, reference: f64) {
         if let Some(last) = self.0.borrow_mut().results.last_mut() {
             last.reference = reference;
         }
     }
 
-    /// The last result has a limit of its own, mm.
+    /// Gives the last result its own limit, mm.
     pub fn limited(&self, limit: Option<f64>) {
         if let Some(last) = self.0.borrow_mut().results.last_mut() {
             last.limit = limit;
         }
     }
 
-    /// The formula, and what a work offset is corrected by.
+    /// Finishes the formula. `datum` corrects a work offset.
     pub fn finish(self, datum: Option<Datum>) -> Formula {
         Formula {
             datum,
@@ -198,8 +198,7 @@ impl Draft {
         }
     }
 
-    /// Two expressions and their operator. Constants are folded (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as
-    /// by hand.
+    /// Combines two expressions. Constants are folded (0 · x, 1 · x, x + 0), so that the formula of an unrotated feature is as short as one written by hand.
     fn binary(&self, op: Op, left: NodeId, right: NodeId) -> Expr<'_> {
         let is = |node: Node, number: f64| matches!(node, Node::Number(x) | Node::Length(x) if x == number);
         let [a, b] = [left, right].map(|id| self.0.borrow().node(id));
@@ -243,7 +242,7 @@ impl<'f> Value<'f> {
         Expr::from(self).cos()
     }
 
-    /// The angle of the vector (x, self), degrees.
+    /// Angle of the vector (x, self), degrees.
     pub fn atan2(self, x: impl Into<Expr<'f>>) -> Expr<'f> {
         Expr::from(self).atan2(x)
     }
@@ -268,7 +267,7 @@ impl<'f> Expr<'f> {
         self.call(Function::Sqrt)
     }
 
-    /// The angle of the vector (x, self), degrees.
+    /// Angle of the vector (x, self), degrees.
     pub fn atan2(self, x: impl Into<Expr<'f>>) -> Expr<'f> {
         self.draft.push(Node::Atan2(self.node, x.into().node))
     }
@@ -286,7 +285,7 @@ impl<'f> Expr<'f> {
     }
 }
 
-/// An operator between expressions and named values.
+/// Implements an operator for expressions and named values.
 macro_rules! operator {
     ($trait:ident, $method:ident, $op:expr) => {
         impl<'f, R: Into<Expr<'f>>> $trait<R> for Expr<'f> {
@@ -313,7 +312,7 @@ operator!(Div, div, Op::Divide);
 mod tests {
     use super::*;
 
-    /// An expression as a text, in Polish notation.
+    /// An expression as text in Polish notation.
     fn shown(draft: &Draft, id: NodeId) -> String {
         let node = draft.0.borrow().node(id);
         match node {
@@ -342,7 +341,7 @@ mod tests {
             (f.length(2.0) + f.length(-3.0), "Length(-1.0)"),
             (f.number(0.0) - f.length(-3.0), "Length(3.0)"),
             (f.number(2.0) * f.number(-3.0), "Number(-6.0)"),
-            // Other expressions are written unchanged, for a reader of the program.
+            // All other expressions are written unfolded, so that the program shows the arithmetic.
             (
                 f.number(2.0) - f.number(3.0),
                 "(Subtract Number(2.0) Number(3.0))",

@@ -1,4 +1,4 @@
-//! A formula evaluated on triggers, with the derivative by each touch beside each value.
+//! Evaluates a formula on trigger points, with the derivative of each value by each touch.
 
 use crate::formula::node::Samples;
 use crate::formula::{CirclePart, Formula, Function, MOST_SAMPLES, Node, NodeId, Op, fit_circle};
@@ -8,16 +8,16 @@ use crate::geom::{Vec2, Vec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dual {
     pub value: f64,
-    /// The sample of the first entry of `by_touch`.
+    /// Index of the sample of the first entry of `by_touch`.
     first: u16,
-    /// Its change for a unit shift of each trigger along its probing direction.
+    /// Derivatives by the samples from `first` on, for a unit shift of each trigger along its probing direction.
     by_touch: [f64; MOST_SAMPLES],
-    /// The same by further samples, of repeated touches or of other cycles.
+    /// Derivatives by further samples: repeated touches, or those of other cycles.
     others: Vec<(u16, [f64; MOST_SAMPLES])>,
 }
 
 impl Dual {
-    /// A number that depends on no touch.
+    /// A number that is independent of all touches.
     pub const fn constant(value: f64) -> Self {
         Dual {
             value,
@@ -27,7 +27,7 @@ impl Dual {
         }
     }
 
-    /// Its derivatives: the first of some samples, and those by them and the following ones.
+    /// Derivatives in groups: index of the first sample, and the derivatives by it and the following ones.
     pub fn by_samples(&self) -> impl Iterator<Item = (usize, &[f64; MOST_SAMPLES])> {
         let others = self
             .others
@@ -36,28 +36,28 @@ impl Dual {
         std::iter::once((usize::from(self.first), &self.by_touch)).chain(others)
     }
 
-    /// Every derivative.
+    /// All derivatives.
     fn slopes(&self) -> impl Iterator<Item = f64> {
         self.by_samples()
             .flat_map(|(_, by_touch)| by_touch.iter().copied())
     }
 
-    /// The sum of the sizes of its derivatives: by so much it changes at most where each touch does by 1.
+    /// Sum of the absolute derivatives: the largest change of the number if each touch changes by 1.
     pub fn reach(&self) -> f64 {
         self.slopes().map(f64::abs).sum()
     }
 
-    /// Whether it depends on no touch.
+    /// Whether the number is independent of all touches.
     fn is_constant(&self) -> bool {
         self.others.is_empty() && self.by_touch.iter().all(|slope| *slope == 0.0)
     }
 
-    /// The standard deviation of this number if every touch scatters independently by `sigma`: linear propagation.
+    /// Standard deviation of the number if every touch scatters independently by `sigma`: linear propagation.
     pub fn uncertainty(&self, sigma: f64) -> f64 {
         sigma * self.slopes().map(|d| d * d).sum::<f64>().sqrt()
     }
 
-    /// Becomes f of itself, by the chain rule.
+    /// Replaces the number by a function of it, by the chain rule.
     fn map(&mut self, value: f64, slope: f64) {
         self.value = value;
         self.by_touch
@@ -66,7 +66,7 @@ impl Dual {
             .for_each(|d| *d *= slope);
     }
 
-    /// Becomes f of itself and another number, by the chain rule.
+    /// Replaces the number by a function of it and another number, by the chain rule.
     fn join(&mut self, other: &Dual, (value, slope, other_slope): Joined) {
         if self.first == other.first && self.others.is_empty() && other.others.is_empty() {
             self.value = value;
@@ -75,7 +75,7 @@ impl Dual {
             }
             return;
         }
-        // A value that depends on no touch fits any samples.
+        // A constant can take over any samples.
         if self.is_constant() {
             *self = other.clone();
             return self.map(value, other_slope);
@@ -104,7 +104,7 @@ impl Dual {
         }
     }
 
-    /// The same of two others.
+    /// A function of two numbers, by the chain rule.
     fn of(a: &Dual, b: &Dual, joined: Joined) -> Dual {
         let (value, by_a, by_b) = joined;
         if a.first == b.first && a.others.is_empty() && b.others.is_empty() {
@@ -122,11 +122,11 @@ impl Dual {
     }
 }
 
-/// What f makes of two numbers, and its derivatives by both.
+/// Value of a function of two numbers, and its derivatives by both.
 type Joined = (f64, f64, f64);
 
 impl Op {
-    /// What it makes of two numbers.
+    /// Value of the operator.
     pub(super) fn of(self, a: f64, b: f64) -> f64 {
         match self {
             Op::Add => a + b,
@@ -136,7 +136,7 @@ impl Op {
         }
     }
 
-    /// The same, with its derivatives by both.
+    /// Value of the operator, with its derivatives by both operands.
     fn joined(self, a: f64, b: f64) -> Joined {
         let value = self.of(a, b);
         match self {
@@ -149,7 +149,7 @@ impl Op {
 }
 
 impl Function {
-    /// What it makes of a number; angles in degrees.
+    /// Value of the function; angles in degrees.
     fn of(self, x: f64) -> f64 {
         match self {
             Function::Sin => x.to_radians().sin(),
@@ -159,7 +159,7 @@ impl Function {
         }
     }
 
-    /// Its derivative at `x`: of sine and cosine by degrees.
+    /// Derivative at `x`; of sine and cosine by degrees.
     fn slope(self, x: f64) -> f64 {
         match self {
             Function::Sin => x.to_radians().cos().to_radians(),
@@ -171,15 +171,15 @@ impl Function {
 }
 
 impl Formula {
-    /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes everything that needs it NaN.
-    /// `directions` are the probing directions: the derivative of touch k is by a shift of its trigger along direction k.
+    /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes all values that depend on it NaN. `directions` are the probing
+    /// directions: the derivative by touch k is for a shift of its trigger along direction k.
     pub fn evaluate(&self, triggers: &[Option<Vec3>], directions: &[Vec3]) -> Vec<Dual> {
         let mut values = Vec::with_capacity(self.assignments.len());
         self.evaluate_on(&mut values, self.assignments.len(), triggers, directions);
         values
     }
 
-    /// The same from the values of the first assignments on, up to one that is not evaluated any more.
+    /// Evaluates the assignments in a range, given the values before it.
     pub fn evaluate_on(
         &self,
         known: &mut Vec<Dual>,
@@ -209,24 +209,24 @@ impl Formula {
     }
 }
 
-/// What a formula is evaluated with, and the values so far.
+/// State of an evaluation.
 struct Run<'a> {
     nodes: &'a [Node],
     values: Vec<Dual>,
     triggers: &'a [Option<Vec3>],
     directions: &'a [Vec3],
-    /// The first sample of the cycle that is evaluated.
+    /// First sample of the evaluated cycle.
     first: usize,
 }
 
 impl Run<'_> {
-    /// The first of the samples that derivatives are kept with, of those that one is among: a cycle has as many as one keeps, or, where its touches are
-    /// repeated, some times as many.
+    /// First sample of the group that a sample belongs to. Derivatives are kept in groups of the size that one cycle needs; repeated touches take several
+    /// groups.
     fn first_beside(&self, sample: usize) -> usize {
         sample - (sample - self.first) % MOST_SAMPLES
     }
 
-    /// Puts the value of a node into `out`.
+    /// Writes the value of a node to `out`.
     fn put(&self, node: NodeId, out: &mut Dual) {
         match self.nodes[node.0 as usize] {
             Node::Number(x) | Node::Length(x) => *out = Dual::constant(x),
@@ -255,7 +255,7 @@ impl Run<'_> {
         }
     }
 
-    /// Puts f of two operands into `out`. Most operands have a name: they are read in place.
+    /// Writes a function of two operands to `out`. Most operands are named values and are read in place.
     fn two(&self, left: NodeId, right: NodeId, out: &mut Dual, f: impl Fn(f64, f64) -> Joined) {
         match (self.named(left), self.named(right)) {
             (Some(a), Some(b)) => *out = Dual::of(a, b, f(a.value, b.value)),
@@ -272,7 +272,7 @@ impl Run<'_> {
         }
     }
 
-    /// The value of a node that is a name.
+    /// Value of a node that is a named value.
     fn named(&self, node: NodeId) -> Option<&Dual> {
         match self.nodes[node.0 as usize] {
             Node::Variable(variable) => self.values.get(variable.index()),
@@ -319,7 +319,7 @@ mod tests {
     use crate::formula::{Draft, Dual};
     use crate::geom::Vec3;
 
-    /// d(atan2(y, x)), the product rule and the functions against a difference quotient.
+    /// Compares the derivatives of atan2, products and functions with difference quotients.
     #[test]
     fn derivatives_agree_with_difference_quotients() {
         let f = Draft::default();

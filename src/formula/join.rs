@@ -1,4 +1,4 @@
-//! The formulas of the cycles of a set-up, as one.
+//! Joins the formulas of the cycles of a set-up.
 
 use std::borrow::Cow;
 
@@ -8,7 +8,7 @@ use crate::formula::{
 };
 
 impl Formula {
-    /// Adds the formula of the next cycle, with its name, and says how its variables are found in the whole: by so much later.
+    /// Adds the formula of the next cycle with its name. Returns the shift of its variable indices.
     pub fn join(&mut self, name: &str, own: &Formula, first_sample: usize) -> u32 {
         let cycle = self.cycles.len() as u16;
         let (node, variable) = (self.nodes.len() as u32, self.assignments.len() as u32);
@@ -51,7 +51,7 @@ impl Formula {
         variable
     }
 
-    /// Adds how far a result is from its nominal value, as the way that the next cycle is shifted by; `name` tells it from its other ones.
+    /// Adds the deviation of a result from nominal, by which the next cycle is shifted. `name` tells several shifts apart.
     pub fn shift(&mut self, result: usize, name: &'static str) -> Option<Variable> {
         let (measured, nominal) = (self.results[result].variable?, self.results[result].nominal);
         let own = self.push(Node::Variable(measured));
@@ -62,7 +62,7 @@ impl Formula {
         Some(self.assign(name, self.cycles.len() as u16, off))
     }
 
-    /// Adds how far a measured direction is from its nominal value, degrees, as a value that a work offset can be turned by.
+    /// Adds the deviation of a measured direction from nominal, degrees, by which a work offset can be rotated.
     pub fn turn(&mut self, direction: Variable, nominal: f64) -> Variable {
         let cycle = self.assignments[direction.index()].cycle;
         let off = self.off_direction(direction, nominal);
@@ -74,7 +74,7 @@ impl Formula {
         self.assign("turn", cycle, turn)
     }
 
-    /// The same for the next cycle, which is turned by it: the angle, its sine, and its cosine less 1.
+    /// Adds the rotation of the next cycle: the angle, its sine, and its cosine less 1.
     pub fn turns_next(&mut self, direction: Variable, nominal: f64) -> [Variable; 3] {
         let cycle = self.cycles.len() as u16;
         let off = self.off_direction(direction, nominal);
@@ -93,7 +93,7 @@ impl Formula {
         ]
     }
 
-    /// A measured direction less its nominal value, degrees.
+    /// Deviation of a measured direction from nominal, degrees.
     fn off_direction(&mut self, direction: Variable, nominal: f64) -> NodeId {
         let [measured, wanted] =
             [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
@@ -104,7 +104,7 @@ impl Formula {
         }
     }
 
-    /// An angle within half a turn: near that a control may give it a whole turn away.
+    /// Brings an angle into ±180°: near half a turn a control may return it a whole turn away.
     fn within_half_a_turn(&mut self, away: Variable) -> NodeId {
         let angle = self.push(Node::Variable(away));
         let [sine, cosine] =
@@ -126,7 +126,7 @@ impl Formula {
         Variable(self.assignments.len() as u32 - 1)
     }
 
-    /// The name of a result in a text: `center.x`, of a set-up `BORE.center.x`.
+    /// Name of a result in a text: `center.x`, in a set-up `BORE.center.x`.
     pub fn code(&self, result: &ResultDef) -> Cow<'static, str> {
         match self.cycles.get(usize::from(result.cycle)) {
             Some(cycle) if self.cycles.len() > 1 => {
@@ -136,7 +136,7 @@ impl Formula {
         }
     }
 
-    /// The name of a result with that of its cycle in front also where there is only one.
+    /// Name of a result with that of its cycle, also if there is only one cycle.
     pub fn full_code(&self, result: &ResultDef) -> Cow<'static, str> {
         match self.cycles.get(usize::from(result.cycle)) {
             Some(cycle) => Cow::Owned(format!("{}.{}", cycle.name, result.code)),
@@ -144,13 +144,13 @@ impl Formula {
         }
     }
 
-    /// Whether a result has this name, in any case; that of its only cycle may be left out.
+    /// Whether a result has this name, in any case. The name of an only cycle may be left out.
     pub fn is_named(&self, result: &ResultDef, name: &str) -> bool {
         self.full_code(result).eq_ignore_ascii_case(name)
             || self.code(result).eq_ignore_ascii_case(name)
     }
 
-    /// Writes the name of the value of an assignment, by its index, at the end of a text: `center_x`, of a set-up `bore_center_x`.
+    /// Appends the name of an assignment's value, by its index: `center_x`, in a set-up `bore_center_x`.
     pub fn push_name(&self, index: usize, text: &mut String) {
         let assignment = &self.assignments[index];
         if let Some(cycle) = self
@@ -172,7 +172,7 @@ impl Variable {
 }
 
 impl Datum {
-    /// The same in the formula of a set-up, in which the variables of its cycle are found so much later.
+    /// The datum in the formula of a set-up, where variable indices are shifted by `count`.
     pub fn later_by(mut self, count: u32) -> Datum {
         let later = |known: Option<Variable>| known.map(|known| known.later_by(count));
         for place in self.place.iter_mut().flatten() {

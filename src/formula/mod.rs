@@ -1,12 +1,10 @@
-//! What a control computes from the touches, written once.
+//! The results that a control computes from the touches, stated once.
 //!
-//! A cycle states its arithmetic as a list of named assignments ([`Draft`]). A post prints it in its control's language, and the
-//! virtual part evaluates the very same list, with the derivative by each touch beside it ([`Dual`]). So what the page shows as the
-//! control's result is what the program computes, and the uncertainty comes from the same fit. Circles are fitted
-//! geometrically, as a native cycle does it; where a program has to do it in plain arithmetic, both use
-//! [`Formula::plain`].
+//! A cycle states its arithmetic as a list of named assignments ([`Draft`]). A post prints the list in its control's language, and the virtual part evaluates
+//! the same list, with the derivative by each touch ([`Dual`]). So the page shows the results that the program computes, and the uncertainty comes from the
+//! same fit. Circles are fitted geometrically, as native cycles fit them; where a program needs plain arithmetic, both use [`Formula::plain`].
 //!
-//! Angles are in degrees here, as controls take them.
+//! Angles are in degrees, as controls take them.
 
 mod circle;
 mod draft;
@@ -32,36 +30,36 @@ use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
 use crate::text::Text;
 
-/// The most samples that the formula of one cycle computes with, each touched once: a derivative is kept for each.
+/// Largest number of samples in the formula of one cycle, each touched once: a derivative is kept for each.
 pub const MOST_SAMPLES: usize = 16;
 
-/// How far a result may be off its nominal value before a program stops without writing; none is no limit.
+/// Limits of the deviation from nominal. Beyond them a program stops without writing; `None` is no limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
-    /// Of a position, along each axis, mm.
+    /// Position along each axis, mm.
     pub position: Option<f64>,
-    /// Of a width, diameter or length, mm.
+    /// Width, diameter or length, mm.
     pub size: Option<f64>,
-    /// Of an angle or direction, degrees.
+    /// Angle or direction, degrees.
     pub angle: Option<f64>,
-    /// Root mean square distance of the touches from what is fitted through them, mm.
+    /// Root mean square distance of the touches from the fitted shape, mm.
     pub residual: Option<f64>,
 }
 
-/// What a program does with a result that is out of its tolerance.
+/// Action of a program when a result is out of tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Consequence {
-    /// It continues: the result is judged afterwards.
+    /// Continues; the result is judged afterwards.
     #[default]
     Go,
-    /// It shows the result as out of tolerance and continues.
+    /// Shows the result as out of tolerance and continues.
     Mark,
-    /// It stops with an alarm and writes nothing.
+    /// Stops with an alarm and writes nothing.
     Stop,
 }
 
 impl Consequence {
-    /// Every one, with its word in a job.
+    /// All actions, each with its word in a job.
     pub const ALL: [(&'static str, Consequence); 3] = [
         ("go", Consequence::Go),
         ("mark", Consequence::Mark),
@@ -72,61 +70,61 @@ impl Consequence {
 /// The tolerance of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// The smallest and the largest value that is good, mm or degrees.
+    /// Smallest and largest good value, mm or degrees.
     pub limits: [f64; 2],
     pub action: Consequence,
-    /// The tool that is corrected by it.
+    /// Correction of a tool by this result.
     pub wear: Option<Wear>,
 }
 
-/// How a tool is corrected by what was measured.
+/// Correction of a tool by a measured size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wear {
-    /// The number of its offset.
+    /// Number of the tool offset.
     pub tool: i32,
-    /// The share of the error, more than 0 and at most 1.
+    /// Feedback: share of the error that is corrected, more than 0 and at most 1.
     pub share: f64,
-    /// The error up to which nothing is corrected, mm.
+    /// Dead band: errors up to this are not corrected, mm.
     pub dead_band: f64,
-    /// Of how many parts the mean counts, and the number of the offset that keeps them; none corrects by every part.
+    /// Number of parts in the mean, and the number of the offset that keeps it; `None` corrects after every part.
     pub mean: Option<(i32, i32)>,
 }
 
-/// Why a program asks something of a result.
+/// Reason of a check in a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
-    /// Whether it is plausible: beyond that the program writes nothing.
+    /// Plausibility: beyond the limit the program writes nothing.
     Plausible,
-    /// Whether it is within its tolerance: out of it the program says so and continues.
+    /// Tolerance: beyond the limit the program shows the result and continues.
     Marks,
-    /// The same: out of it the program stops.
+    /// Tolerance: beyond the limit the program stops.
     Stops,
-    /// Whether a cycle whose place it gives stays where its path was checked: beyond that the program stops before that cycle.
+    /// A later cycle follows the result: beyond the limit its path was not checked, so the program stops before that cycle.
     Leads,
 }
 
-/// A value this little beyond a limit is on it, mm or degrees.
+/// Values that exceed a limit by less count as equal to it, mm or degrees.
 pub const ON_LIMIT: f64 = 1e-6;
 
-/// What a program asks of a result: whether it is plausible, or within its tolerance.
+/// A check of one result against its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
-    /// Why it is asked.
+    /// Reason of the check.
     pub asked: Asked,
-    /// Of the result, by its place in the formula's list.
+    /// Index of the result.
     pub result: usize,
-    /// The assignment that holds it.
+    /// Assignment with the result.
     pub variable: Variable,
-    /// What it is on a good part, or the middle of its tolerance: mm or degrees.
+    /// Expected value: nominal, or the middle of the tolerance; mm or degrees.
     pub wanted: f64,
-    /// How far it may be off that.
+    /// Largest allowed deviation from the expected value.
     pub limit: f64,
-    /// Whether it is an angle; else a length.
+    /// Whether the result is an angle; otherwise a length.
     pub angle: bool,
 }
 
 impl Question {
-    /// Whether a program stops where the answer is no; `writes`: whether it writes a work offset.
+    /// Whether a program stops if the check fails. `writes`: whether it writes a work offset.
     pub fn stops(&self, writes: bool) -> bool {
         match self.asked {
             Asked::Plausible => writes,
@@ -135,8 +133,8 @@ impl Question {
         }
     }
 
-    /// What a program says where the answer is no, behind the name of the result and its value: `, more than 0.5 from 25`, `, not 24.98 to 25.02`. `unit`
-    /// is that of the program, mm or degrees.
+    /// Message of a failed check, after the name of the result and its value: `, more than 0.5 from 25`, `, not 24.98 to 25.02`. `unit` is the unit of the
+    /// program, mm or degrees.
     pub fn complaint(&self, unit: f64) -> String {
         let number = |x: f64| decimal(x / unit, 12);
         let (limit, wanted) = (self.limit, self.wanted);
@@ -151,7 +149,7 @@ impl Question {
         }
     }
 
-    /// Whether a value, mm or degrees, is within the limit. What is not known is not. On the very end the last decimals of touches decide nothing.
+    /// Whether a value, mm or degrees, is within the limit. Unknown values are not. At the limit itself rounding of the touches decides nothing.
     pub fn holds(&self, value: f64) -> bool {
         (value - self.wanted).abs() <= self.limit + ON_LIMIT
     }
@@ -165,10 +163,10 @@ pub struct Assignment {
     pub node: NodeId,
 }
 
-/// How a result behaves when the part is shifted, turned or resized, and with it its unit.
+/// Behaviour of a result when the part is shifted, rotated or resized. Its unit follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// Abscissa of a point, a length. The ordinate follows as the next result.
+    /// Abscissa of a point, a length. The next result is its ordinate.
     Abscissa,
     /// Ordinate of a point, a length.
     Ordinate,
@@ -176,21 +174,21 @@ pub enum Role {
     Size,
     /// An angle of the part itself, degrees.
     Angle,
-    /// A direction, degrees: turns with the part.
+    /// A direction, degrees: rotates with the part.
     Direction,
-    /// A coordinate along the tool axis, a length; not probed.
+    /// Coordinate along the tool axis that is not probed, a length.
     Height,
-    /// A coordinate along the tool axis that is probed: it moves with the part.
+    /// Coordinate along the tool axis that is probed: moves with the part.
     Level,
-    /// A coordinate that is read along a single direction: what a shifted or turned part does to it depends on the surface.
+    /// Coordinate along a single probing direction: a shift or rotation of the part changes it as the surface requires.
     Reading,
-    /// A length that says how far something is off, or what is written.
+    /// Deviation or written value, a length.
     Shift,
-    /// The same as an angle, degrees.
+    /// Deviation or written value, an angle.
     Turn,
-    /// How far touches are from what is fitted through them, a length: their root mean square distance.
+    /// Root mean square distance of the touches from the fitted shape, a length.
     Residual,
-    /// How far repeated touches of one point are apart, a length.
+    /// Largest distance between repeated touches of one point, a length.
     Spread,
 }
 
@@ -219,68 +217,69 @@ pub struct ResultDef {
     /// Index of its cycle in a set-up.
     pub cycle: u16,
     pub meaning: &'static str,
-    /// How it behaves, and its unit.
+    /// Behaviour of the result; gives its unit.
     pub role: Role,
-    /// What it is on the nominal part; mm or degrees.
+    /// Value on the nominal part, mm or degrees.
     pub nominal: f64,
-    /// What its deviation is measured from, where that is not the nominal value: the middle of a tolerance zone.
+    /// Value from which the deviation is counted, if that is not nominal: the middle of a tolerance.
     pub reference: f64,
-    /// The assignment that holds it; `None` if these touches cannot give it.
+    /// Assignment with the result; `None` if these touches cannot give it.
     pub variable: Option<Variable>,
-    /// Its tolerance, where the job gives one.
+    /// Tolerance, if the job gives one.
     pub tolerance: Option<Tolerance>,
-    /// How far it may be off, where that is its own limit, mm.
+    /// Limit of this result alone, mm.
     pub limit: Option<f64>,
 }
 
-/// What the control computes from the triggers of the touches.
+/// The results that a control computes from the triggers of the touches.
 #[derive(Clone, Debug, Default)]
 pub struct Formula {
-    /// What the expressions are made of, each node after those it is made of.
+    /// Nodes of all expressions; each node comes after its operands.
     nodes: Vec<Node>,
-    /// In order; each refers to earlier ones only.
+    /// Assignments in order; each refers to earlier ones only.
     pub assignments: Vec<Assignment>,
-    /// What the control stores, in order.
+    /// Results that the control stores, in order.
     pub results: Vec<ResultDef>,
-    /// What a work offset is corrected by.
+    /// Correction of a work offset.
     pub datum: Option<Datum>,
-    /// By how many degrees the system is to be turned, and about which place in the plane (mm), where a work offset has no rotation: a block for the user.
+    /// Rotation of the coordinate system in degrees and its centre in the plane (mm), for controls whose work offsets have no rotation: printed as a block for
+    /// the user.
     pub turn: Option<(Variable, [f64; 2])>,
-    /// The cycles of a set-up; empty where there is one.
+    /// Cycles of a set-up; empty for a single cycle.
     pub cycles: Vec<CycleSamples>,
 }
 
-/// A cycle of a set-up, in the formula of all.
+/// A cycle of a set-up in the joined formula.
 #[derive(Clone, Debug)]
 pub struct CycleSamples {
-    /// Its name, in front of the codes of its results: letters and digits.
+    /// Name that prefixes the codes of its results: letters and digits.
     pub name: String,
     /// Index of its first sample.
     pub first_sample: usize,
 }
 
-/// What a program corrects a work offset by.
+/// Correction of a work offset.
 #[derive(Clone, Copy, Debug)]
 pub struct Datum {
-    /// Abscissa, ordinate and tool axis; none leaves the origin alone. Abscissa and ordinate come together.
+    /// Abscissa, ordinate and tool axis; `None` leaves the origin unchanged. Abscissa and ordinate come together.
     pub place: [Option<Coordinate>; 3],
-    /// By how many degrees the system is turned; none leaves its rotation alone.
+    /// Rotation of the coordinate system, degrees; `None` leaves the rotation unchanged.
     pub rotation: Option<Variable>,
-    /// Whether results of the cycle say what is written, so that no further rows are needed.
+    /// Whether results of the cycle show the written values, so that no further rows are needed.
     pub in_results: bool,
 }
 
-/// One coordinate of the point that a work offset is corrected by.
+/// One coordinate of the point that corrects a work offset.
 #[derive(Clone, Copy, Debug)]
 pub struct Coordinate {
-    /// The assignment with what was measured; `None` if nothing was, and the coordinate is taken to be its nominal one.
+    /// Assignment with the measured coordinate; `None` if it is not measured and counts as nominal.
     pub measured: Option<Variable>,
-    /// What it is to read, mm.
+    /// Coordinate that the point gets in the corrected system, mm.
     pub nominal: f64,
 }
 
 impl Coordinate {
-    /// A coordinate that was measured, and what it is to read.
+    /// A measured coordinate with its value in the corrected system.
     pub fn measured(value: Value<'_>, nominal: f64) -> Self {
         Coordinate {
             measured: Some(value.variable),
@@ -290,7 +289,7 @@ impl Coordinate {
 }
 
 impl Datum {
-    /// No rotation, and no results that say what is written.
+    /// A correction without rotation whose values no result shows.
     pub fn of(place: [Option<Coordinate>; 3]) -> Self {
         Datum {
             place,
@@ -299,20 +298,20 @@ impl Datum {
         }
     }
 
-    /// A measured point in the plane: abscissa and ordinate, each as measured and as nominal.
+    /// Correction by a measured point in the plane: abscissa and ordinate, each measured and nominal.
     pub fn point(abscissa: (Value<'_>, f64), ordinate: (Value<'_>, f64)) -> Self {
         let [a, o] =
             [abscissa, ordinate].map(|(value, nominal)| Some(Coordinate::measured(value, nominal)));
         Datum::of([a, o, None])
     }
 
-    /// Which of abscissa, ordinate and tool axis were measured.
+    /// Whether abscissa, ordinate and tool axis were measured.
     pub fn measured(&self) -> [bool; 3] {
         self.place
             .map(|place| place.is_some_and(|place| place.measured.is_some()))
     }
 
-    /// Whether there is anything to write.
+    /// Whether there is something to write.
     pub fn writes(&self) -> bool {
         self.measured() != [false; 3] || self.rotation.is_some()
     }
@@ -325,21 +324,21 @@ pub struct ResultRow {
     pub code: String,
     pub meaning: Text,
     pub unit: Unit,
-    /// What it is on the nominal part.
+    /// Value on the nominal part.
     pub nominal: Option<f64>,
-    /// What the control computes; `None` if these triggers cannot give it.
+    /// Value that the control computes; `None` if these triggers cannot give it.
     pub value: Option<f64>,
-    /// Value less nominal, or less the middle of the tolerance zone.
+    /// Value minus nominal, or minus the middle of the tolerance.
     pub deviation: Option<f64>,
-    /// One sigma of the value.
+    /// Standard uncertainty of the value (one sigma).
     pub uncertainty: Option<f64>,
-    /// How much of it comes from the ball's eccentricity: one sigma of that alone.
+    /// Part of the uncertainty that comes from the eccentricity of the ball (one sigma).
     pub uncertainty_runout: Option<f64>,
-    /// Lower and upper limit, where a tolerance is given.
+    /// Lower and upper limit, if there is a tolerance.
     pub limits: Option<(f64, f64)>,
-    /// Good, rework, scrap, where a tolerance is given; implausible beyond the limit.
+    /// Good, rework or scrap, if there is a tolerance; implausible beyond the limit.
     pub verdict: Option<Text>,
-    /// What it is on the actual part, where that is known.
+    /// Value on the actual part, if it is known.
     pub truth: Option<f64>,
 }
 
@@ -357,7 +356,7 @@ impl Formula {
         self.nodes[id.0 as usize]
     }
 
-    /// Visits a node and everything in it.
+    /// Visits a node and all its operands.
     pub fn each(&self, id: NodeId, visit: &mut impl FnMut(Node)) {
         let node = self.node(id);
         visit(node);
@@ -375,7 +374,7 @@ impl Formula {
         }
     }
 
-    /// Of a control whose work offsets have no rotation: what is measured of one is left to the user.
+    /// Removes the rotation for a control whose work offsets have none. The measured rotation is left to the user.
     pub fn without_rotation(&mut self) {
         let Some(datum) = &mut self.datum else { return };
         let about = [0, 1].map(|i| datum.place[i].map_or(0.0, |place| place.nominal));
@@ -385,8 +384,8 @@ impl Formula {
         }
     }
 
-    /// The same computation in plain arithmetic: every circle is fitted by its normal equations, which are closed. They give
-    /// the same circle where the points lie on one, and differ from the geometric fit by the square of their scatter.
+    /// The formula in plain arithmetic: circles are fitted by normal equations in closed form. The circle is the same if the points are on one; otherwise it
+    /// differs from the geometric fit by the square of their scatter.
     pub fn plain(self) -> Formula {
         if !self
             .nodes
@@ -400,8 +399,8 @@ impl Formula {
         self.written(draft, &variables)
     }
 
-    /// The same of touches that are repeated: it computes with the mean of those of each sample, and has one more result, how far they are apart at
-    /// most. `along` has the probing direction of each sample; sample s becomes the samples from `times` · s on.
+    /// The formula for repeated touches: it computes with the mean of each sample, and adds the largest distance between touches of one point as a result.
+    /// `along` are the probing directions of the samples. Sample s becomes the samples from `times` · s on.
     pub fn repeated(self, times: usize, along: &[Vec3], limit: Option<f64>) -> Formula {
         let draft = Draft::with_room_for(times * along.len());
         let repeats = Repeats::of(times, along, self.used());
@@ -410,7 +409,7 @@ impl Formula {
         self.written(draft, &variables)
     }
 
-    /// Result of the draft, with the new positions of its assignments.
+    /// Builds the formula from the draft, given the new indices of its assignments.
     fn written(self, draft: Draft, variables: &[Variable]) -> Formula {
         debug_assert!(
             self.cycles.is_empty(),
@@ -440,8 +439,8 @@ impl Formula {
         }
     }
 
-    /// What a program asks of its results before it writes. First whether they are plausible, in their order: each value that the touches give, and that
-    /// has a limit. Then whether they are within their tolerances, where the job says that something follows from it.
+    /// Checks of a program before it writes. Plausibility comes first, for each value that the touches give and that has a limit; then tolerances whose action
+    /// marks or stops.
     pub fn questions(&self, limits: &Limits) -> Vec<Question> {
         let mut questions: Vec<Question> = Vec::new();
         let measured = self.measured();
@@ -452,7 +451,7 @@ impl Formula {
                 Role::Angle | Role::Direction => limits.angle,
                 Role::Residual => limits.residual,
                 Role::Spread => result.limit,
-                // Not probed, or said by another result.
+                // Not probed, or shown by another result.
                 Role::Height | Role::Shift | Role::Turn => None,
             };
             let (Some(limit), Some(variable)) = (limit, result.variable) else {
@@ -463,7 +462,7 @@ impl Formula {
                 .any(|question| question.variable == variable);
             if !known && result.reference.is_finite() && measured[variable.index()] {
                 let (wanted, angle) = (result.reference, result.role.is_angle());
-                // The middle of a tolerance zone may be off the nominal value by more than the limit.
+                // The middle of a tolerance may differ from nominal by more than the limit.
                 let limit = limit + (result.reference - result.nominal).abs();
                 questions.push(Question {
                     asked: Asked::Plausible,
@@ -502,7 +501,7 @@ impl Formula {
         questions
     }
 
-    /// What is asked of a result before a cycle that it gives the place of.
+    /// Check of a result before a cycle that follows it.
     pub fn leads(&self, result: usize, limits: &Limits) -> Option<Question> {
         let def = &self.results[result];
         let limit = match def.role {
@@ -521,7 +520,7 @@ impl Formula {
         })
     }
 
-    /// Of each assignment, whether it depends on a touch.
+    /// Whether each assignment depends on a touch.
     fn measured(&self) -> Vec<bool> {
         let mut measured = Vec::with_capacity(self.assignments.len());
         for assignment in &self.assignments {
@@ -538,7 +537,7 @@ impl Formula {
         measured
     }
 
-    /// Whether another one computes the same results by the same arithmetic; what they nominally are may differ.
+    /// Whether another formula computes the same results by the same arithmetic. Nominal values may differ.
     pub fn computes_as(&self, other: &Formula) -> bool {
         let results = |own: &Formula| {
             own.results
@@ -557,7 +556,7 @@ impl Formula {
             && assignments(self) == assignments(other)
     }
 
-    /// Which coordinates of the triggers are used at all.
+    /// Coordinates of the triggers that the formula reads.
     pub fn used(&self) -> Used {
         let mut used = Used::default();
         let mut mark = |samples: std::ops::Range<usize>, axes: u8| {
@@ -581,12 +580,12 @@ impl Formula {
     }
 }
 
-/// The coordinates of the triggers that a formula reads: a bit an axis.
+/// Coordinates of the triggers that a formula reads: one bit for each axis.
 #[derive(Clone, Debug, Default)]
 pub struct Used(Vec<u8>);
 
 impl Used {
-    /// Whether coordinate `axis` of a sample is read.
+    /// Whether the formula reads coordinate `axis` of a sample.
     pub fn has(&self, sample: usize, axis: usize) -> bool {
         self.0
             .get(sample)

@@ -1,8 +1,8 @@
-//! Names of values, in place: a formula has hundreds.
+//! Names of values, stored inline: a formula has hundreds.
 
 use crate::num::push_count;
 
-/// The name of a value: lower-case letters, digits and underscores, as every control takes them. `center_x`, `q1`, `ss2_3`, `c1_uu_4`.
+/// Name of a value: lower-case letters, digits and underscores, which every control accepts. `center_x`, `q1`, `ss2_3`, `c1_uu_4`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Name {
     stem: &'static str,
@@ -31,12 +31,12 @@ impl Name {
         }
     }
 
-    /// The same with something after it: `c1_det`.
+    /// Appends a suffix: `c1_det`.
     pub fn and(self, rest: &'static str) -> Self {
         Name { rest, ..self }
     }
 
-    /// The same with a number at the very end: `c1_uu_4`.
+    /// Appends a number: `c1_uu_4`.
     pub fn at(self, index: usize) -> Self {
         Name {
             index: Some(index as u32),
@@ -44,7 +44,7 @@ impl Name {
         }
     }
 
-    /// Writes it at the end of a text.
+    /// Appends the name to a text.
     pub fn push_to(self, text: &mut String) {
         text.push_str(self.stem);
         for (number, rest) in [(self.number, self.rest), (self.index, "")] {

@@ -1,19 +1,19 @@
-//! What a formula is made of, as one flat list: each node names those it is made of by their places in front of it.
+//! Nodes of a formula in one flat list: each node refers to its operands by their indices before it.
 
-/// The place of a node in the list of its formula.
+/// Index of a node in the list of its formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeId(pub(super) u32);
 
 /// An expression over the triggers of the touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Node {
-    /// A number without a unit: other units do not change it.
+    /// A plain number, the same in all units.
     Number(f64),
     /// A length in mm.
     Length(f64),
     /// The value of an earlier assignment.
     Variable(Variable),
-    /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a sample: a touch, or the mean of repeated ones.
+    /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a sample: a touch, or the mean of repeated touches.
     Trigger {
         sample: u16,
         /// 0, 1, 2 for X, Y, Z.
@@ -23,7 +23,7 @@ pub enum Node {
     Call(Function, NodeId),
     /// A part of a fitted circle.
     Circle(Samples, CirclePart),
-    /// The angle in degrees whose tangent is the first by the second, in the right quadrant.
+    /// Angle of the vector (second operand, first operand), degrees, in the right quadrant.
     Atan2(NodeId, NodeId),
 }
 
@@ -32,7 +32,7 @@ pub enum Node {
 pub struct Variable(pub(super) u32);
 
 impl Variable {
-    /// Its place in the list of assignments.
+    /// Index in the list of assignments.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -57,7 +57,7 @@ pub enum Function {
     Abs,
 }
 
-/// The samples that a circle is fitted to, in a plane: geometric least squares, exact for three.
+/// Samples to which a circle is fitted in a plane: geometric least squares, exact for three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Samples {
     /// Index of the first sample.
@@ -81,6 +81,6 @@ pub enum CirclePart {
     /// Ordinate of its centre.
     Ordinate,
     Radius,
-    /// The root mean square distance of the samples from it.
+    /// Root mean square distance of the samples from the circle.
     Residual,
 }

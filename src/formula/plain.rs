@@ -1,15 +1,15 @@
-//! A formula written again in arithmetic that any control can do, and of touches that are repeated.
+//! Rewrites a formula in arithmetic that every control has, and for repeated touches.
 
 use crate::formula::node::{Samples, Variable};
 use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
 
-/// Where a formula has the coordinates of its touches from.
+/// Source of the coordinates of the touches in a rewritten formula.
 pub(super) trait Source<'f> {
     /// Coordinate `axis` of a sample.
     fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f>;
 }
 
-/// The touches themselves.
+/// Reads the touches directly.
 pub(super) struct Touches;
 
 impl<'f> Source<'f> for Touches {
@@ -18,7 +18,7 @@ impl<'f> Source<'f> for Touches {
     }
 }
 
-/// Writes the assignments of a formula, after those of the touches and circles that they need. Returns the new position of each.
+/// Writes the assignments of a formula after those of the touches and circles that they need. Returns the new index of each.
 pub(super) fn write<'f>(
     formula: &Formula,
     draft: &'f Draft,
@@ -43,14 +43,14 @@ struct Plain<'a, 'f> {
     formula: &'a Formula,
     draft: &'f Draft,
     source: &'a dyn Source<'f>,
-    /// The assignments so far.
+    /// Assignments written so far.
     values: Vec<Value<'f>>,
-    /// The circles so far: abscissa and ordinate of the centre, radius and residual.
+    /// Circles written so far: abscissa and ordinate of the centre, radius and residual.
     circles: Vec<(Samples, [Value<'f>; 4])>,
 }
 
 impl<'f> Plain<'_, 'f> {
-    /// Writes a node and everything in it.
+    /// Writes a node and its operands.
     fn node(&mut self, id: NodeId) -> NodeId {
         let node = match self.formula.node(id) {
             Node::Variable(variable) => Node::Variable(self.values[variable.index()].variable),
@@ -70,7 +70,7 @@ impl<'f> Plain<'_, 'f> {
         self.source.trigger(self.draft, sample, axis)
     }
 
-    /// A part of a circle, which is written where it is needed first.
+    /// A part of a circle. The circle is written before its first use.
     fn part(&mut self, samples: Samples, part: CirclePart) -> Value<'f> {
         let known = self
             .circles
@@ -93,10 +93,10 @@ impl<'f> Plain<'_, 'f> {
     }
 }
 
-/// Kåsa's circle: minimises the sum of (u² + v² − 2au − 2bv − c)², u and v being counted from the first point. Its sums grow from touch to touch,
-/// so that a control needs no place for every point: with w = u² + v² and, for each pair, the central sum ⟨pq⟩ = Σpq − ΣpΣq/n,
-/// 2a = (⟨vv⟩⟨uw⟩ − ⟨uv⟩⟨vw⟩) / (⟨uu⟩⟨vv⟩ − ⟨uv⟩²), 2b likewise, and the rest of Σ(w − 2au − 2bv − c)² is ⟨ww⟩ − 2a⟨uw⟩ − 2b⟨vw⟩; a point that is e off
-/// the circle of radius r adds nearly (2re)² to it.
+/// Kåsa's circle: minimises the sum of (u² + v² − 2au − 2bv − c)², u and v being counted from the first point. Its sums grow from touch to touch, so a control
+/// need not store every point. With w = u² + v² and, for each pair, the central sum ⟨pq⟩ = Σpq − ΣpΣq/n,
+/// 2a = (⟨vv⟩⟨uw⟩ − ⟨uv⟩⟨vw⟩) / (⟨uu⟩⟨vv⟩ − ⟨uv⟩²), 2b likewise, and the residual of Σ(w − 2au − 2bv − c)² is ⟨ww⟩ − 2a⟨uw⟩ − 2b⟨vw⟩. A point at distance e
+/// from the circle of radius r adds nearly (2re)² to it.
 ///
 /// `at` is abscissa (0) or ordinate (1) of a point.
 pub(super) fn circle<'f>(
@@ -111,7 +111,7 @@ pub(super) fn circle<'f>(
     let first = samples.start;
     let names = ["_u_", "_v_", "_uu_", "_vv_", "_uv_", "_uw_", "_vw_", "_ww_"];
     let mut sums: [Option<Value<'f>>; 8] = Default::default();
-    // The first point is where u and v are 0.
+    // At the first point u and v are 0.
     for (i, k) in samples.enumerate().skip(1) {
         let u = f.set(Name::new("u", k + 1), at(k, 0) - at(first, 0));
         let v = f.set(Name::new("v", k + 1), at(k, 1) - at(first, 1));
@@ -143,7 +143,7 @@ pub(super) fn circle<'f>(
         + (twice_a * twice_a + twice_o * twice_o) / f.number(4.0);
     let r = f.set(own("_r"), square.sqrt());
     let rest = f.set(own("_rest"), cww - twice_a * cuw - twice_o * cvw);
-    // Rounding may leave less than nothing of it.
+    // Rounding may make it negative.
     let residual = f.set(
         own("_residual"),
         (Expr::from(rest).abs() / n()).sqrt() / (f.number(2.0) * r),

@@ -10,32 +10,31 @@ use crate::geom::Vec2;
 use crate::num::wrap_degrees;
 use crate::text::{Text, text, words};
 
-/// A kind of relation: what it computes of results. The check, the types and the schema of a job, the manual's table and the page's menu follow from its row
-/// in [`RELATIONS`].
+/// A kind of relation with its computation. Check, types, schema, the manual's table and the page's menu follow from its row in [`RELATIONS`].
 #[derive(Debug)]
 pub struct RelationDef {
-    /// Its word in a job.
+    /// Word in a job.
     pub key: &'static str,
-    /// Its name for people.
+    /// Label on the page.
     pub label: &'static str,
-    /// What its results are, for the manual.
+    /// Description of its results for the manual.
     pub says: &'static str,
-    /// Whether it takes places; else single results, all lengths or all angles.
+    /// Whether its operands are positions; otherwise single results, all lengths or all angles.
     pub places: bool,
-    /// The fewest of them that it takes.
+    /// Smallest number of operands.
     pub least: usize,
-    /// The most; `None` if it takes any number.
+    /// Largest number of operands; `None` is any number.
     pub most: Option<usize>,
-    /// The codes of its results, in their order; of angles `.angle` is added to the first.
+    /// Codes of its results, in order. `.angle` is added to the first if the operands are angles.
     pub results: &'static [&'static str],
-    /// How a picture draws it.
+    /// Drawing in a picture.
     pub drawing: RelationDrawing,
     write: Write,
     values: Values,
     problem: fn(&[[f64; 2]]) -> Option<Text>,
 }
 
-/// How a picture draws a relation.
+/// Drawing of a relation in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelationDrawing {
     /// The line from the first place to the second.
@@ -48,11 +47,11 @@ pub enum RelationDrawing {
     Nothing,
 }
 
-/// Adds what is computed of these operands to a formula; of a single result the first of the two counts. `heights`: whether all of them are measured
-/// heights. Gives what a work offset can be written from.
+/// Adds the computation with these operands to a formula; of a single result only the first of the two entries counts. `heights`: whether all operands are
+/// measured heights. Returns the correction of a work offset that the relation gives.
 type Write = for<'f> fn(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum>;
 
-/// What it comes to where its operands have these values; `directions`: whether single results are directions.
+/// Results for operands with these values. `directions`: whether single results are directions.
 type Values = fn(of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>>;
 
 /// Every kind of relation.
@@ -141,31 +140,31 @@ pub static RELATIONS: [RelationDef; 5] = [
     },
 ];
 
-/// Nominal places this near to each other have no direction, mm.
+/// Nominal positions closer than this have no direction, mm.
 const APART: f64 = 0.1;
 
 /// A kind of relation, by its row.
 pub type Relation = &'static RelationDef;
 
 impl RelationDef {
-    /// The kind that a job names so.
+    /// The kind with this word.
     pub fn find(key: &str) -> Option<Relation> {
         RELATIONS.iter().find(|def| def.key == key)
     }
 
-    /// What keeps operands with these nominal values from giving it: abscissas and ordinates of places, or single results.
+    /// Reason why operands with these nominal values cannot give the relation: abscissas and ordinates of positions, or single results.
     pub fn problem(&self, of: &[[f64; 2]]) -> Option<Text> {
         (self.problem)(of)
     }
 
-    /// What it comes to where its operands have these values. In the order of its results; `None` if places give no circle. `directions`: whether single
-    /// results are directions. It shares no expression with programs.
+    /// Results for operands with these values, in order; `None` if positions give no circle. `directions`: whether single results are directions. Independent
+    /// of the expressions that are printed into programs.
     pub fn values(&self, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
         (self.values)(of, directions)
     }
 }
 
-/// Operand of a relation: a position by abscissa and ordinate, or a single result. Indexes into the list of results, each of a measured one.
+/// Operand of a relation: abscissa and ordinate of a position, or a single result. Indices of measured results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operand {
     Place([usize; 2]),
@@ -177,7 +176,7 @@ pub enum Operand {
 pub struct Relating {
     pub relation: Relation,
     pub of: Vec<Operand>,
-    /// Whether all of that are measured heights, from which a height can be written.
+    /// Whether all operands are measured heights, so that a height can be written.
     pub heights: bool,
 }
 
@@ -190,14 +189,14 @@ struct Known<'f> {
 }
 
 impl Formula {
-    /// Adds a relation with its name. Its results come last; what a work offset can be written from is given.
+    /// Adds a relation with its name. Its results come last. Returns the correction of a work offset that it gives.
     pub fn relate(&mut self, name: &str, related: &Relating) -> Option<Datum> {
-        // It has no samples of its own.
+        // A relation has no samples.
         let first_sample = self.cycles.last().map_or(0, |last| last.first_sample);
         self.continued(name, first_sample, |draft| write(draft, related))
     }
 
-    /// Adds what is written behind it, as the next cycle with this name: its assignments, and its results that are stated.
+    /// Continues the formula with the assignments and results of a named cycle or relation.
     pub(super) fn continued<T>(
         &mut self,
         name: &str,
@@ -291,7 +290,7 @@ fn pitch_circle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Opti
     Some(datum)
 }
 
-/// The circle through places.
+/// Circle through positions.
 fn fit(of: &[[f64; 2]]) -> Option<CircleFit> {
     fit_circle(
         &of.iter()
@@ -313,7 +312,7 @@ fn pitch_circle_of(of: &[[f64; 2]]) -> Vec<Option<f64>> {
         .to_vec()
 }
 
-/// A place as results, and as what a work offset can be written from.
+/// States a position as results, and returns the correction of a work offset that it gives.
 fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> Datum {
     f.result(
         "center.x",
@@ -332,7 +331,7 @@ fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> Datum {
     Datum::point(x, y)
 }
 
-/// Distance, and the direction as nominal plus how far it is turned from that: near half a turn an angle may be said a whole turn away.
+/// Distance, and the direction as nominal plus deviation: near half a turn a control may return an angle a whole turn away.
 fn line<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
     let [from, to] = [of[0], of[1]];
     let [dx, dy] =
@@ -341,7 +340,7 @@ fn line<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum
     let length = nx.hypot(ny);
     let distance = f.set("distance", (dx * dx + dy * dy).sqrt());
     let (cos, sin) = (nx / length, ny / length);
-    // An angle has an assignment of its own: a control may have to bring it into half a turn.
+    // The angle needs its own assignment: a control may have to bring it into ±180°.
     let turned = f.set(
         "turned",
         f.project(dy, dx, (cos, -sin))
@@ -378,7 +377,7 @@ fn line_of(of: &[[f64; 2]], _directions: bool) -> Vec<Option<f64>> {
     ]
 }
 
-/// How far a value is from its nominal one: of a direction within half a turn. `number` tells the names apart.
+/// Deviation of a value from nominal; of a direction within ±180°. `number` tells the names apart.
 fn off<'f>(f: &'f Draft, number: usize, known: Known<'f>) -> Expr<'f> {
     let constant = if known.role.is_angle() {
         f.number(known.nominal)
@@ -394,7 +393,7 @@ fn off<'f>(f: &'f Draft, number: usize, known: Known<'f>) -> Expr<'f> {
         .into()
 }
 
-/// What is computed of single results keeps their kind: sizes give a size, other lengths a coordinate.
+/// Role of a result computed from single results: sizes give a size, other lengths a coordinate.
 fn role_of(known: &[Known<'_>]) -> Role {
     match known[0].role {
         Role::Size => Role::Size,
@@ -408,7 +407,7 @@ fn difference<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option
     let [first, second] = [of[0][0], of[1][0]];
     let nominal = first.nominal - second.nominal;
     if first.role.is_angle() {
-        // Between directions the smaller turn counts.
+        // Between directions the smaller angle counts.
         let directions = first.role == Role::Direction || second.role == Role::Direction;
         let nominal = if directions {
             wrap_degrees(nominal)
@@ -481,7 +480,7 @@ fn mean<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum>
     heights.then(|| Datum::of([None, None, Some(Coordinate::measured(value, nominal))]))
 }
 
-/// The mean of values; of directions about the first, from which none is farther than half a turn.
+/// Mean of the values. Directions are averaged about the first one, from which none differs by more than half a turn.
 fn mean_of(values: &[f64], directions: bool) -> f64 {
     let first = values[0];
     let near = |value: f64| {

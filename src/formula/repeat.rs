@@ -1,4 +1,4 @@
-//! Touches that are repeated: the mean of those of each point, and how far they are apart.
+//! Repeated touches: mean and largest distance of the touches of each point.
 
 use std::cell::RefCell;
 
@@ -9,22 +9,22 @@ use crate::geom::Vec3;
 use crate::num::tidy;
 use crate::text::words;
 
-/// How the touches of a formula are repeated, while it is written.
+/// Repeated touches of a formula under construction.
 pub(super) struct Repeats<'f> {
     times: usize,
-    /// The probing direction of each sample.
+    /// Probing direction of each sample.
     along: Vec<Vec3>,
-    /// What the formula reads of each sample.
+    /// Coordinates of each sample that the formula reads.
     used: Used,
     written: RefCell<Written<'f>>,
 }
 
-/// What is written of them so far.
+/// Parts that are already written.
 #[derive(Default)]
 struct Written<'f> {
-    /// Of each coordinate of a sample that is read, its mean.
+    /// Mean of each coordinate of a sample that is read.
     means: Vec<((usize, usize), Value<'f>)>,
-    /// How far the touches of a point are apart at most, and of how many points.
+    /// Largest distance between touches of one point, and the number of points in it.
     spread: Option<(Value<'f>, usize)>,
 }
 
@@ -46,8 +46,7 @@ impl<'f> Repeats<'f> {
         }
     }
 
-    /// The mean of a coordinate of a sample. What is computed of a sample is written where it is needed first: a control keeps its touches no longer than
-    /// that.
+    /// Mean of a coordinate of a sample. It is written before its first use: a control does not keep the touches longer.
     fn mean(&self, f: &'f Draft, sample: usize, axis: usize) -> Value<'f> {
         let known = |written: &Written<'f>| {
             written
@@ -72,7 +71,7 @@ impl<'f> Repeats<'f> {
         written.spread = Some(match written.spread {
             None => (own, 1),
             Some((most, count)) => {
-                // The larger of two numbers is half of their sum and their distance.
+                // max(a, b) = (a + b + |a − b|) / 2.
                 let larger = (most + own + (most - own).abs()) / f.number(2.0);
                 (f.set(Name::new("spread", count + 1), larger), count + 1)
             }
@@ -80,13 +79,13 @@ impl<'f> Repeats<'f> {
         known(&written).expect("a formula reads what is used of it")
     }
 
-    /// How far the touches of a sample are apart along their probing direction.
+    /// Largest distance between the touches of a sample along their probing direction.
     fn apart(&self, f: &'f Draft, sample: usize) -> Expr<'f> {
         let along = self.along[sample].to_array().map(tidy);
         let place = |n: usize| -> Expr<'f> {
             let touch = self.times * sample + n;
             let trigger = |axis: usize| f.trigger(touch, axis);
-            // Along an axis its coordinate says it, whichever way.
+            // Along an axis the coordinate alone gives it, in either direction.
             if let Some(axis) = (0..3).find(|axis| along[*axis].abs() == 1.0) {
                 return trigger(axis);
             }
@@ -106,12 +105,12 @@ impl<'f> Repeats<'f> {
         let between = |a: usize, b: usize| (places[a] - places[b]).abs();
         match self.times {
             2 => between(0, 1),
-            // Of three places the farthest two are as far apart as the other distances together.
+            // The largest distance of three points is half of the sum of all three distances.
             _ => (between(0, 1) + between(1, 2) + between(0, 2)) / f.number(2.0),
         }
     }
 
-    /// States how far the touches of one point are apart at most, as the last result.
+    /// States the largest distance between touches of one point as the last result.
     pub(super) fn state(&self, f: &'f Draft, limit: Option<f64>) {
         let spread = self.written.borrow().spread;
         let meaning = words!("Largest distance between touches of the same point");

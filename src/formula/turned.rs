@@ -1,8 +1,8 @@
-//! The formula of a cycle that follows a measured angle: it computes in the frame of the drawing.
+//! The formula of a cycle that follows a measured direction: it computes in the frame of the drawing.
 //!
-//! Such a cycle is turned by δ, how far the angle is off its nominal value, about a place p that may be shifted by s. Each trigger t is first brought
-//! back to where it would be on an unturned part: p + R(−δ)(t − p − s). The cycle's own formula takes it from there. Its places go the other way,
-//! p + s + R(δ)(q − p), and its directions get δ.
+//! The cycle is rotated by δ, the deviation of the direction from nominal, about a point p that may be shifted by s. Each trigger t is first rotated back to
+//! the unrotated part: p + R(−δ)(t − p − s). The cycle's own formula continues from there. Its positions are rotated forward, p + s + R(δ)(q − p), and δ is
+//! added to its directions.
 
 use std::cell::RefCell;
 
@@ -11,24 +11,24 @@ use crate::formula::node::Variable;
 use crate::formula::plain::{self, Source};
 use crate::formula::{Coordinate, Datum, Formula, Name, ResultDef, Role, Used};
 
-/// By what a cycle is turned, and about which place.
+/// Rotation of a cycle and its centre.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn<T> {
     /// Axes of abscissa and ordinate.
     pub axes: [usize; 2],
-    /// The place that it is turned about on the nominal part: abscissa and ordinate, mm.
+    /// Centre of the rotation on the nominal part: abscissa and ordinate, mm.
     pub about: [f64; 2],
-    /// How far it is turned, degrees.
+    /// Angle of the rotation, degrees.
     pub angle: T,
-    /// The sine of that, and its cosine less 1.
+    /// Sine of the angle, and its cosine less 1.
     pub sine: T,
     pub cosine: T,
-    /// How far the place is shifted along abscissa and ordinate, mm.
+    /// Shift of the centre along abscissa and ordinate, mm.
     pub shift: [Option<T>; 2],
 }
 
 impl Turn<f64> {
-    /// Whether all of it is known.
+    /// Whether all its values are known.
     pub fn is_known(&self) -> bool {
         let all = [self.angle, self.sine, self.cosine];
         all.into_iter()
@@ -50,12 +50,12 @@ impl<T: Copy> Turn<T> {
     }
 }
 
-/// A coordinate of a place.
+/// A coordinate of a position.
 #[derive(Clone, Copy, PartialEq)]
 enum Known {
-    /// This value holds it.
+    /// Measured: the variable that holds it.
     Measured(Variable),
-    /// Nothing measures it: it is nominal, mm.
+    /// Not measured: nominal, mm.
     Nominal(f64),
 }
 
@@ -65,17 +65,17 @@ impl Known {
     }
 }
 
-/// Abscissa and ordinate of a place. What is measured is the same place by its variables: nominal values of one place may be rounded differently.
+/// Abscissa and ordinate of a position. Positions are compared by their variables: nominal values of one position may be rounded differently.
 type Pair = [Known; 2];
 
-/// What a cycle that is turned has become.
+/// Result of rotating the formula of a cycle.
 struct Written {
     results: Vec<ResultDef>,
     datum: Option<Datum>,
 }
 
 impl Formula {
-    /// Whether a turned cycle can have it: its places are given by abscissa and ordinate, and it writes no angle itself.
+    /// Whether a cycle with this formula can be rotated: its positions have abscissa and ordinate, and it writes no angle.
     pub fn can_turn(&self) -> bool {
         self.results.iter().all(|result| match result.role {
             Role::Abscissa | Role::Ordinate | Role::Reading => coordinate_of(result.code).is_some(),
@@ -84,8 +84,8 @@ impl Formula {
         })
     }
 
-    /// Adds the formula of the next cycle, which is turned by values of this one: how much later its variables are found, and what a work offset can be
-    /// written from.
+    /// Adds the formula of the next cycle, which is rotated by values of this one. Returns the shift of its variable indices, and the correction of a work
+    /// offset.
     pub fn join_turned(
         &mut self,
         name: &str,
@@ -110,7 +110,7 @@ impl Formula {
         (later, datum)
     }
 
-    /// The same for a cycle that is known to be turned so far.
+    /// The formula of a cycle with a known rotation.
     pub fn turned(&self, turn: &Turn<f64>) -> Formula {
         let draft = Draft::with_room_for(crate::formula::MOST_SAMPLES);
         let numbers = Turn {
@@ -135,7 +135,7 @@ impl Formula {
     }
 }
 
-/// The place that a code is a coordinate of, and which: `center.y` is 1 of `center`.
+/// The position that a code is a coordinate of, and the axis: `center.y` is axis 1 of `center`.
 fn coordinate_of(code: &'static str) -> Option<(&'static str, usize)> {
     let (place, letter) = code.rsplit_once('.')?;
     Some((
@@ -144,7 +144,7 @@ fn coordinate_of(code: &'static str) -> Option<(&'static str, usize)> {
     ))
 }
 
-/// Where the triggers of a turned cycle would be on an unturned part.
+/// Triggers of a rotated cycle, rotated back to the unrotated part.
 struct Back<'f> {
     turn: Turn<Expr<'f>>,
     first_sample: usize,
@@ -176,7 +176,7 @@ impl<'f> Source<'f> for Back<'f> {
         if let Some(value) = known(&self.written.borrow()) {
             return value.into();
         }
-        // What is computed of a touch is written where it is needed first: a control keeps it no longer than that.
+        // Written before its first use: a control does not keep the touch longer.
         let mut written = self.written.borrow_mut();
         let off = |i: usize| {
             let from = f.trigger(self.first_sample + sample, axes[i]) - f.length(about[i]);
@@ -213,7 +213,7 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
     };
     let variables = plain::write(own, f, &back);
     let known = |variable: Variable| f.known(variables[variable.index()]);
-    // Where abscissa and ordinate lie on the turned part, by the values that they have in the frame of the drawing. What is not measured is nominal there.
+    // Abscissa and ordinate on the rotated part, by their values in the frame of the drawing. Unmeasured coordinates are nominal there.
     let places: RefCell<Vec<(Pair, [Variable; 2])>> = RefCell::default();
     let placed = |pair: Pair| {
         if let Some((_, placed)) = places.borrow().iter().find(|(known, _)| *known == pair) {
@@ -251,7 +251,7 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
             Known::new(place.measured, place.nominal)
         })
     };
-    // Both coordinates of a place, of which a value holds one. The other is another result, or what the datum has of it.
+    // Both coordinates of a position, one of which is in this variable. The other one is another result, or comes from the datum.
     let pair = |of: &str, axis: usize, variable: Variable| -> Pair {
         [0, 1].map(|i| {
             let result = own
@@ -276,7 +276,7 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
                 f.set(Name::new("turned", i + 1), known(variable) + turn.angle)
                     .variable
             }
-            // How far off something is along a direction of the drawing says nothing of a part that is turned.
+            // A deviation along a direction of the drawing has no meaning on a rotated part.
             (Role::Shift, ..) => return None,
             (_, _, variable) => variables[variable.index()],
         };
@@ -290,7 +290,7 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
         })
         .collect();
     let datum = own.datum.map(|datum| {
-        // The place of a result, where one holds this coordinate.
+        // The rotated coordinate of a result.
         let in_plane = |axis: usize, variable: Variable| {
             let shown = own
                 .results

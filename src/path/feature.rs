@@ -1,35 +1,35 @@
-//! What is probed, resolved: the one place from which a native cycle is printed.
+//! The probed feature with all its values. Native calls are printed from it alone.
 
 use crate::geom::Vec3;
 use crate::path::ParameterValue;
 
-/// Which kind of feature a cycle probes, before its form is filled in. What a control does of it is a row of its matrix.
+/// Kind of feature that a cycle probes, known before its form is filled in. Each control has a row for it in its support matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// Nothing: the probe is switched.
+    /// Switches the probe; touches nothing.
     Switch,
-    /// Nothing: a line for the control.
+    /// Emits a line for the control; touches nothing.
     Action,
     /// A point of a surface.
     Surface,
     /// A hole from its middle.
     Hole,
-    /// A hole, each touch entered from above.
+    /// A hole; the stylus enters from above for each touch.
     HoleProtected,
     Boss,
     /// A rectangle from its middle.
     Pocket,
-    /// A rectangle from inside, each touch entered from above.
+    /// A rectangle from inside; the stylus enters from above for each touch.
     PocketProtected,
     /// A rectangle from outside.
     Block,
-    /// Two walls that face outwards.
+    /// Two outward walls.
     Web,
-    /// The same and the middle of its top.
+    /// Two outward walls and the middle of the top.
     WebTop,
-    /// Two walls that face each other, from their middle.
+    /// Two facing walls, from the middle between them.
     Groove,
-    /// The same, each touch entered from above.
+    /// Two facing walls; the stylus enters from above for each touch.
     GrooveProtected,
     /// A corner of two walls from inside.
     CornerInside,
@@ -45,7 +45,7 @@ pub enum Subject {
     TwoCircles,
 }
 
-/// The probed feature with its dimensions and their fields in the job. Its frame is in [`crate::path::Path::frame`].
+/// The probed feature with its dimensions and the job fields that give them. [`crate::path::Path::frame`] has its frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
     /// Nothing is probed.
@@ -62,25 +62,25 @@ pub enum Feature {
     TwoCircles(Box<TwoCircles>),
     /// A wall, touched twice.
     Wall(Straight),
-    /// Those of the cycles of a set-up: [`crate::path::Path::members`] has them.
+    /// The features of a set-up, in [`crate::path::Path::members`].
     Several,
 }
 
-/// A dimension, and the path of the job's field that says it.
+/// A dimension and the path of the job field that gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
     /// Such as `cycle.width1`.
     pub field: &'static str,
-    /// mm; of an angle degrees.
+    /// In mm; an angle in degrees.
     pub value: f64,
 }
 
-/// A point of a surface, by the fields that say how it is touched: the path has the values.
+/// A point of a surface, by the job fields of its touch. The path has the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// From the surface to the ball centre where the touch begins.
     pub clearance: &'static str,
-    /// How steeply the target vector points up from the plane.
+    /// Elevation of the target vector above the plane.
     pub elevation: &'static str,
 }
 
@@ -89,7 +89,7 @@ pub struct Point {
 pub struct Straight {
     /// From touch to touch.
     pub distance: Entry,
-    /// The field of how far from the wall a touch begins.
+    /// Field with the distance from the wall to the ball centre where a touch begins.
     pub clearance: &'static str,
 }
 
@@ -101,19 +101,19 @@ pub struct Bore {
     pub depth: Entry,
     /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
     pub clearance: Option<Entry>,
-    /// How far above the top side the ball crosses; `None` if it does not.
+    /// Height above the top side at which the ball crosses the feature; `None` if it does not cross.
     pub crossing: Option<Entry>,
 }
 
-/// Opposite walls: one pair, square to the first direction of the frame, or two, square to each other.
+/// Opposite walls. One pair is perpendicular to the first direction of the frame; a second pair is perpendicular to the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pairs {
-    /// Whether the material lies around it.
+    /// Whether the material is outside the walls.
     pub internal: bool,
     pub sides: Vec<Side>,
     /// From the top side down to the touches.
     pub depth: Entry,
-    /// How far above the top side the ball crosses; `None` if it does not, or where another field says it.
+    /// Height above the top side at which the ball crosses; `None` if it does not cross, or if another field gives the height.
     pub crossing: Option<Entry>,
 }
 
@@ -133,58 +133,58 @@ pub struct Corner {
     pub outside: bool,
     /// Between the first two walls.
     pub angle: Entry,
-    /// The walls, but for a top side.
+    /// The walls, without a top side.
     pub walls: Vec<Touched>,
-    /// The top side, where it is touched, too.
+    /// The top side, if it is touched.
     pub top: Option<Top>,
 }
 
-/// A wall of a corner, by the fields that say where it is touched: the path has the values.
+/// A wall of a corner, by the job fields of its touches. The path has the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touched {
     /// From the wall to the ball centre where a touch begins.
     pub clearance: &'static str,
-    /// From touch to touch, where there are two.
+    /// From touch to touch, if there are two.
     pub step: Option<&'static str>,
-    /// From the corner to the first touch, of a corner from outside: else that is the foot of the start.
+    /// From the corner to the first touch, for a corner from outside. An inside corner touches where the start projects onto the wall.
     pub distance: Option<&'static str>,
 }
 
-/// The top side of a corner, by the fields that say where it is touched: the path has the values.
+/// The top side of a corner, by the job fields of its touch. The path has the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Top {
     /// From the top side down to the touches of the walls.
     pub depth: &'static str,
     /// From the top side to the ball centre where its touch begins.
     pub clearance: &'static str,
-    /// From each of the two walls inwards to its touch.
+    /// Inwards from each of the two walls to the touch.
     pub inwards: [&'static str; 2],
 }
 
-/// Two holes or studs, and the control's own way to probe them.
+/// Two holes or studs, with the settings of the control's own cycle for them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TwoCircles {
-    /// The fields that say the two diameters.
+    /// Fields with the two diameters.
     pub diameters: [&'static str; 2],
-    /// The line between the two nominal centres, where both are known.
+    /// The line between the two nominal centres, if both are known.
     pub line: Option<[Vec3; 2]>,
-    /// How the touches are spread over the first circle.
+    /// Distribution of the touches over the first circle.
     pub spread: Option<Spread>,
-    /// The settings of the cycle, in the order of its block.
+    /// Settings of the cycle, in the order of its block.
     pub settings: Vec<Setting>,
-    /// The settings of the extrusion (1493) in front of it; empty without one.
+    /// Settings of the extrusion (1493) before the cycle; empty without one.
     pub extrusion: Vec<Setting>,
-    /// Whether the operator has to bring the probe to an object.
+    /// Whether the operator has to position the probe at an object.
     pub semi_automatic: bool,
-    /// Whether the control stops, or shows something, where a tolerance does not hold.
+    /// Whether the control stops or shows a message when a tolerance is exceeded.
     pub reacts: bool,
     /// Whether a value has a tolerance.
     pub toleranced: bool,
-    /// Whether a rotary table is to be turned, or its offset to be set.
+    /// Whether the cycle turns a rotary table or sets its offset.
     pub turns_table: bool,
 }
 
-/// One setting of a cycle that the control has itself, by the number of its Q parameter.
+/// One setting of a native cycle, by the number of its Q parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
     /// The number of the Q parameter.
@@ -194,7 +194,7 @@ pub struct Setting {
     pub value: ParameterValue,
 }
 
-/// How touches are spread over a circle.
+/// Distribution of touches over a circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// Centre of the circle.
@@ -203,14 +203,14 @@ pub struct Spread {
     pub radius: f64,
     /// Angle of the first touch from the abscissa, radians.
     pub start: f64,
-    /// Over which angle the touches are spread, counter-clockwise positive, radians.
+    /// Angle over which the touches are spread, radians, counter-clockwise positive.
     pub sweep: f64,
-    /// The paths of the job's fields that say these two angles.
+    /// Paths of the job fields that give these two angles.
     pub fields: [&'static str; 2],
 }
 
 impl Feature {
-    /// The two circles, where that is what is probed.
+    /// The two circles, if the cycle probes them.
     pub fn two_circles(&self) -> Option<&TwoCircles> {
         match self {
             Feature::TwoCircles(circles) => Some(circles),

@@ -1,36 +1,36 @@
-//! What a cycle of a set-up follows, and where that puts each of its moves.
+//! Dependencies between the cycles of a set-up: the results that place a cycle, and the resulting shift of each of its moves.
 
 use crate::formula::{Formula, Turn, Variable};
 use crate::geom::Vec3;
 use crate::num::tidy;
 use crate::path::Path;
 
-/// What a cycle follows: results of earlier cycles and of relations, each by its index in the whole.
+/// Results that a cycle follows: those of earlier cycles and relations, each by its index in the joined path.
 #[derive(Clone, Debug, Default)]
 pub struct Follows {
-    /// Along X, Y and Z, the result that its place follows.
+    /// Results that the position follows, along X, Y and Z.
     pub place: [Option<usize>; 3],
-    /// The direction that its rotation follows.
+    /// Direction that the rotation follows.
     pub rotation: Option<usize>,
-    /// The place that it is turned about, in the work coordinate system of the nominal part, mm.
+    /// Centre of that rotation in the work coordinate system of the nominal part, mm.
     pub about: Vec3,
-    /// Sizes, and how its moves go along with each.
+    /// Sizes that the cycle follows, each with the sensitivity of its moves.
     pub sizes: Vec<(usize, Along)>,
 }
 
 /// Derivative of the path's positions by one size, mm per mm.
 #[derive(Clone, Debug, Default)]
 pub struct Along {
-    /// The place where it begins.
+    /// Derivative of the start.
     pub start: Vec3,
     pub moves: Vec<Vec3>,
 }
 
 impl Along {
-    /// From the paths of the smallest, the nominal and the largest size, each `by` apart. `None` where they are not the same path but for that, or its
-    /// places do not move evenly.
+    /// Compares the paths for the smallest, the nominal and the largest size, each `by` mm apart. `None` if the paths differ otherwise, or if the moves are not
+    /// linear in the size.
     pub fn of(less: &Path, path: &Path, more: &Path, by: f64) -> Option<Along> {
-        /// A place that is off by so much is off by a rounding, mm.
+        /// Largest deviation from linearity that counts as rounding, mm.
         const EVEN: f64 = 1e-7;
         let same = |other: &Path| {
             let moves = path.moves.iter().zip(&other.moves);
@@ -70,25 +70,25 @@ impl Along {
     }
 }
 
-/// A value that shifts a place along an axis, and by how much of it.
+/// A variable that shifts a position along an axis, with its factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
     pub by: Variable,
-    /// What it is multiplied by: mm where the value has no unit, else a number.
+    /// Factor of the variable: mm if the variable has no unit, else a plain number.
     pub factor: f64,
     /// Whether the factor is a length.
     pub length: bool,
-    /// How far the value may be from 0.
+    /// Largest absolute value of the variable.
     most: f64,
 }
 
-/// What shifts a place along X, Y and Z.
+/// Terms that shift a position along X, Y and Z.
 pub type Shifts = [Vec<Term>; 3];
 
-/// A place that nothing shifts.
+/// A position without any shift.
 pub const STILL: &Shifts = &[const { Vec::new() }; 3];
 
-/// How far a place may be shifted along X, Y and Z, mm.
+/// Largest shift of a position along X, Y and Z, mm.
 pub fn most(shifts: &Shifts) -> Vec3 {
     let along = |axis: usize| {
         shifts[axis]
@@ -99,7 +99,7 @@ pub fn most(shifts: &Shifts) -> Vec3 {
     Vec3::new(along(0), along(1), along(2))
 }
 
-/// How far the ends of a way may be apart from where they nominally are to each other, mm, where they are shifted by these.
+/// Largest change of the distance between the two ends of a move, mm, for these shifts of the ends.
 pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
     let factor = |of: &[Term], by: Variable| {
         of.iter()
@@ -118,44 +118,44 @@ pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
     Vec3::new(along(0), along(1), along(2)).length()
 }
 
-/// A result that a cycle follows, and the value that says how far it is off its nominal one: mm, or degrees.
+/// A result that a cycle follows, with the variable that holds its deviation from nominal, mm or degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Follow {
-    /// Index of the result in the whole.
+    /// Index of the result in the joined path.
     pub result: usize,
     pub off: Variable,
-    /// The axis along which it is a place; none of sizes and directions.
+    /// Axis of a followed position; `None` for sizes and directions.
     pub axis: Option<usize>,
 }
 
-/// How far results may be off before a program stops: lengths in mm, angles in degrees.
+/// Limits of followed results: a program stops beyond them. Lengths in mm, angles in degrees.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Reaches {
     pub position: f64,
     pub size: f64,
     pub angle: f64,
-    /// The millimetres in a unit of the program.
+    /// Millimetres in a unit of the program.
     pub unit: f64,
 }
 
-/// Where the results of earlier cycles put a cycle.
+/// Position, rotation and growth that earlier results give a cycle.
 #[derive(Clone, Debug, Default)]
 pub struct Placing {
-    /// Everything that it follows.
+    /// All results that the cycle follows.
     pub follows: Vec<Follow>,
     shift: [Option<Term>; 3],
     turn: Option<(Turn<Variable>, Reaches)>,
     sizes: Vec<(Term, Along)>,
 }
 
-/// What the values that shift an axis are called.
+/// Names of the variables that shift an axis.
 const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 
-/// What the values of sizes are called, by their number: no cycle has more sizes that are lengths.
+/// Names of the variables for sizes. No cycle has more sizes that are lengths.
 const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
 
 impl Placing {
-    /// States in the formula of the whole how far the results are off that a cycle follows, where no cycle in front of it does.
+    /// Adds the deviations of the followed results to the joined formula, unless an earlier cycle has added them.
     pub fn of(
         follows: Follows,
         formula: &mut Formula,
@@ -241,7 +241,7 @@ impl Placing {
         own
     }
 
-    /// The values that its moves are shifted by.
+    /// Variables that shift the moves of the cycle.
     pub fn moved_by(&self) -> impl Iterator<Item = Variable> {
         let turn = self
             .turn()
@@ -255,12 +255,12 @@ impl Placing {
             .chain(turn)
     }
 
-    /// By what the cycle is turned.
+    /// Rotation of the cycle, if it follows a direction.
     pub fn turn(&self) -> Option<&Turn<Variable>> {
         self.turn.as_ref().map(|(turn, _)| turn)
     }
 
-    /// What shifts a place of the cycle; `along` says how it goes along with a size.
+    /// Shift of a position of the cycle. `along` picks the derivative of that position by a size.
     pub fn shifts(&self, place: Vec3, along: impl Fn(&Along) -> Vec3) -> Shifts {
         let mut shifts = self
             .shift
@@ -287,7 +287,7 @@ impl Placing {
         else {
             return shifts;
         };
-        // As exactly as a program writes places: more digits would make blocks longer than controls read.
+        // Programs print positions with this precision. More digits would make blocks longer than controls read.
         let digits = if reaches.unit == 1.0 { 1e4 } else { 1e5 };
         let arm = [place[*a] - about[0], place[*o] - about[1]]
             .map(|x| (x / reaches.unit * digits).round() / digits * reaches.unit);

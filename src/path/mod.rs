@@ -1,7 +1,7 @@
-//! The path of a cycle: touches, moves, the nominal feature, and what the control computes from the touches.
+//! The path of a cycle: touches, moves, the nominal feature, and the results that the control computes from the touches.
 //!
-//! Lengths are in mm, angles in radians unless a name says degrees. Points are of the ball centre in the work coordinate
-//! system unless they are said to be on the surface. A path knows nothing of cycles, controls or units.
+//! Lengths are in mm, angles in radians unless a name contains degrees. Points are ball centres in the work coordinate system unless their comment says "on the
+//! surface". A path is independent of cycles, controls and units.
 
 mod feature;
 mod follow;
@@ -29,39 +29,39 @@ use crate::geom::{Frame, Plane, Vec3};
 /// The most touches a path may have: touch 17 of a CAM parameter table would start at code −196 and run into the −200 block.
 pub const MAX_TOUCHES: usize = 16;
 
-// Each touch of such a table may be a sample of its own.
+// A CAM parameter table may have one sample for each touch.
 const _: () = assert!(MAX_TOUCHES <= crate::formula::MOST_SAMPLES);
 
-/// The rate that rapids are taken to have where a time is stated, mm/min. Machines differ; only the estimate depends on it.
+/// Assumed rate of rapids in stated times, mm/min. Machines differ; only the time estimate depends on it.
 pub const RAPID_RATE: f64 = 5000.0;
 
-/// The feed of a rapid that needs a stated one, mm/min: watched moves do, and arcs. Slow enough for a machine to stop within what a stylus takes.
+/// Feed of a rapid that must state one (watched moves and arcs), mm/min. At this feed machines stop within the deflection that a stylus survives.
 pub const STATED_RAPID: f64 = 2000.0;
 
-/// Moves shorter than this, in mm, are none.
+/// Shorter moves are left out, mm.
 pub const ZERO_LENGTH: f64 = 1e-9;
 
-/// The shortest way from where a touch begins to its nominal contact, mm: a clearance is at least so much more than the ball radius.
-/// Less would be lost in a program's last decimals, and the ball would begin in contact.
+/// Shortest distance from the start of a touch to its nominal contact, mm. A clearance exceeds the ball radius by at least this. A smaller distance would
+/// disappear in the last decimals of a program, and the touch would start in contact.
 pub const SHORTEST_TOUCH: f64 = 0.01;
 
-/// How far a touch may run askew of its inverted target vector, degrees.
+/// Largest angle between a touch and its inverted target vector, degrees.
 pub const MOST_ASKEW: f64 = 1.0;
 
-/// Touches whose heights differ by no more than this, mm, are at one level: picks come rounded out of a dump.
+/// Touches whose heights differ by no more than this are at one level, mm: picks in a dump are rounded.
 pub const ONE_LEVEL: f64 = 0.01;
 
-/// What a cycle needs to know of the job around it.
+/// Settings of the job that a cycle needs for its plan.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
     pub plane: Plane,
     /// Radius of the stylus ball, mm; 0 is a point.
     pub radius: f64,
-    /// How far past the nominal contact a touch searches, mm.
+    /// Distance that a touch searches past its nominal contact, mm.
     pub overtravel: f64,
 }
 
-/// Which of the cycle's feeds a move uses.
+/// The feed that a move uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Feed {
     /// From the feed distance to the start.
@@ -70,33 +70,33 @@ pub enum Feed {
     LongLink,
     /// The touch itself.
     Work,
-    /// Back from a surface touch.
+    /// The retract from a touched surface.
     Retract,
     /// The last lift.
     Return,
-    /// The first, fast touch of the two that a native cycle makes.
+    /// The first, fast touch of a native cycle that touches twice.
     Search,
-    /// As fast as the control does it, or at a stated rapid rate.
+    /// At the control's rapid rate, or at a stated one.
     Rapid,
 }
 
-/// The feeds of a path in mm/min; none is rapid.
+/// Feeds of a path, mm/min; `None` is a rapid.
 #[derive(Clone, Copy, Debug)]
 pub struct Feeds {
     pub approach: Option<f64>,
     pub long_link: Option<f64>,
-    /// Never rapid.
+    /// Feed of touches; never a rapid.
     pub work: f64,
     pub retract: Option<f64>,
     pub return_: Option<f64>,
-    /// Of the first touch of a native cycle.
+    /// Feed of the first touch of a native cycle.
     pub search: Option<f64>,
-    /// None is the control's own rate.
+    /// Stated rapid rate; `None` is the control's own.
     pub rapid: Option<f64>,
 }
 
 impl Feeds {
-    /// The rate of a move, mm/min; none is as fast as the control does it.
+    /// Rate of a move, mm/min; `None` is the control's rapid rate.
     pub fn rate(&self, feed: Feed) -> Option<f64> {
         match feed {
             Feed::Approach => self.approach,
@@ -109,36 +109,36 @@ impl Feeds {
         }
     }
 
-    /// Whether a move is a rapid, by its own name or because its feed is set so.
+    /// Whether a move is a rapid, by its kind or because its feed is set to one.
     pub fn is_rapid(&self, feed: Feed) -> bool {
         feed == Feed::Rapid || self.rate(feed).is_none()
     }
 }
 
-/// What a move is for.
+/// Purpose of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Positioning; the stylus must not meet anything.
+    /// Positioning; the stylus must not make contact.
     Position,
     /// The touch with this index. Ends at the nominal contact of the ball centre.
     Touch(usize),
-    /// The first, fast touch of the two that a native cycle makes of the touch with this index. Ends likewise; what is measured is the second.
+    /// The first, fast touch of a native cycle that touches twice, for the touch with this index. It ends at the nominal contact. The second touch is measured.
     Search(usize),
-    /// The way back from the touch with this index.
+    /// The retract from the touch with this index.
     Back(usize),
 }
 
 /// An arc about the tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
-    /// Its centre, at the height of the move.
+    /// Centre, at the height of the move.
     pub center: Vec3,
-    /// Radians, counter-clockwise positive seen against the tool axis; less than a whole turn.
+    /// Sweep, radians, counter-clockwise positive seen against the tool axis; less than a whole turn.
     pub sweep: f64,
 }
 
 impl Arc {
-    /// The ends of straight pieces along it, about as many as given. `up` is its axis; it may rise on its way, as a helix.
+    /// Ends of about `count` straight pieces along the arc. `up` is its axis. A helix rises along it.
     pub fn pieces(self, from: Vec3, to: Vec3, up: Vec3, count: f64) -> Vec<Vec3> {
         let count = count.ceil().max(1.0) as usize;
         let out = from - self.center;
@@ -161,13 +161,12 @@ pub struct Move {
     pub purpose: Purpose,
     /// Number of the step in the cycle's documented list, from 1.
     pub step: u8,
-    /// The arc it runs along; none is straight. Only positioning moves are arcs.
+    /// The arc of the move; `None` is straight. Only positioning moves are arcs.
     pub arc: Option<Arc>,
 }
 
 impl Move {
-    /// The ends of the straight pieces this move is looked at by: its own end, or an arc in pieces of about `degrees`. `up` is
-    /// the tool axis.
+    /// Ends of the straight pieces by which this move is checked: its own end, or an arc in pieces of about `degrees`. `up` is the tool axis.
     pub fn pieces(&self, from: Vec3, up: Vec3, degrees: f64) -> Vec<Vec3> {
         let Some(arc) = self.arc else {
             return vec![self.to];
@@ -186,74 +185,74 @@ impl Move {
 pub struct Touch {
     /// The nominal point on the surface.
     pub point: Vec3,
-    /// The target vector: outward normal of the surface, from the material into free space, a unit vector.
+    /// Target vector: unit outward normal of the surface, from the material into free space.
     pub vector: Vec3,
-    /// Which wall or circle it belongs to, from 0: the index of its surface.
+    /// Index of the touched surface, from 0.
     pub group: usize,
-    /// How far past the nominal contact it searches, mm.
+    /// Search distance past the nominal contact, mm.
     pub search: f64,
-    /// Which of the formula's points it measures; several touches of one point are averaged.
+    /// Index of the sample in the formula. Touches of one sample are averaged.
     pub sample: usize,
 }
 
 impl Touch {
-    /// The nominal contact of a ball's centre.
+    /// Ball centre at the nominal contact.
     pub fn contact(&self, radius: f64) -> Vec3 {
         self.point + self.vector * radius
     }
 }
 
-/// Everything a cycle says about itself.
+/// A planned cycle with its touches, moves and formula.
 #[derive(Clone, Debug)]
 pub struct Path {
     pub touches: Vec<Touch>,
     pub moves: Vec<Move>,
-    /// Where the ball is before the first move, where the job says so.
+    /// Ball centre before the first move, if the job gives it.
     pub start: Option<Vec3>,
-    /// Height of the feature's top side along the tool axis, mm, where the source has one.
+    /// Height of the feature's top side along the tool axis, mm, if the source has one.
     pub top: Option<f64>,
     /// The walls of the nominal feature.
     pub surfaces: Vec<Surface>,
-    /// Feeds of the cycle's own, where it does not use the job's.
+    /// Feeds of the cycle, if it does not use those of the job.
     pub feeds: Option<Feeds>,
-    /// The frame the feature's dimensions are given in.
+    /// Frame of the feature's dimensions.
     pub frame: Frame,
-    /// What the control computes from the touches.
+    /// Results that the control computes from the touches.
     pub formula: Formula,
     pub feature: Feature,
-    /// Whether the touches were picked one by one, and do not follow from the dimensions.
+    /// Whether the touches were picked one by one and do not follow from the dimensions.
     pub picked: bool,
-    /// The field that says how far the last move lifts; `None` if the cycle ends otherwise.
+    /// Field with the height of the last lift; `None` if the cycle ends otherwise.
     pub lift: Option<&'static str>,
-    /// The calls that make this path, where native cycles do.
+    /// Native calls that make this path, if the job asks for native cycles.
     pub own: Option<Box<Own>>,
     /// The cycles of a set-up; empty in a path of one cycle.
     pub members: Vec<Member>,
-    /// What a set-up computes of the results of its cycles.
+    /// Relations that a set-up computes from the results of its cycles.
     pub relations: Vec<Related>,
-    /// What a set-up writes.
+    /// Sources of the work offset that a set-up writes.
     pub datum_source: DatumSource,
-    /// What shifts the end of each move; empty where no cycle follows a result of another.
+    /// Shift of the end of each move; empty if no cycle follows a result.
     pub shifts: Vec<Shifts>,
 }
 
-/// What is wrong with a touch of a path.
+/// Fault of a touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TouchFault {
-    /// It is not in the path, or more than once.
+    /// The touch is missing in the path, or is there more than once.
     Missing,
-    /// Its way to the nominal contact is so short, mm.
+    /// Its distance to the nominal contact is too short, mm.
     Short(f64),
-    /// Its way is askew of the inverted target vector by so many degrees.
+    /// It runs askew of the inverted target vector, degrees.
     Askew(f64),
 }
 
-/// Index of a touch among those of the same point.
+/// Position of a touch among the touches of one sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat {
-    /// The point of the formula.
+    /// Index of the sample.
     pub index: usize,
-    /// How many touches measure it.
+    /// Number of touches of the sample.
     pub count: usize,
     /// Whether this is the first of them.
     pub first: bool,
@@ -262,7 +261,7 @@ pub struct Repeat {
 }
 
 impl Path {
-    /// The same moves for a run that measures nothing, so much higher along the tool axis: a touch is a positioning move to its nominal contact.
+    /// The same moves for a run that measures nothing, raised by `lift` along the tool axis. Each touch becomes a positioning move to its nominal contact.
     pub fn dry(&self, lift: f64) -> Path {
         let up = self.frame.w * lift;
         let moves = self.moves.iter().map(|step| Move {
@@ -290,7 +289,7 @@ impl Path {
         }
     }
 
-    /// The moves that touch, in order: which touch, where the move begins (`None` if that is not known), and the move.
+    /// All touching moves in order: index of the touch, start of the move (`None` if unknown), and the move.
     pub fn searches(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
         let begins = std::iter::once(self.start).chain(self.moves.iter().map(|step| Some(step.to)));
         self.moves
@@ -302,8 +301,7 @@ impl Path {
             })
     }
 
-    /// What is wrong with each touch: it must be in the path once, begin at a distance from its contact, and run along its inverted
-    /// target vector.
+    /// Faults of the touches. Each touch must be in the path once, begin at a distance from its contact, and run along its inverted target vector.
     pub fn touch_faults(&self, radius: f64) -> Vec<(usize, TouchFault)> {
         let mut ways: Vec<Option<Vec3>> = vec![None; self.touches.len()];
         let mut faults = Vec::new();
@@ -334,7 +332,7 @@ impl Path {
         faults
     }
 
-    /// The shortest way from the begin of a touch to its nominal contact, mm.
+    /// Shortest distance from the start of a touch to its nominal contact, mm.
     pub fn shortest_way(&self) -> f64 {
         let pairs = self
             .moves
@@ -345,7 +343,7 @@ impl Path {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Index of each touch in its sample.
+    /// Position of each touch in its sample.
     pub fn samples(&self) -> Vec<Repeat> {
         let mut counts: Vec<usize> = Vec::new();
         let mut samples: Vec<Repeat> = Vec::with_capacity(self.touches.len());

@@ -1,9 +1,9 @@
-//! The calls by which native cycles do what a cycle is for.
+//! Sequence of native-cycle calls that carries out one probing cycle.
 
 use crate::geom::Vec3;
 use crate::path::Feed;
 
-/// A value of a call.
+/// A value in a call, with its kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {
     /// mm.
@@ -12,12 +12,12 @@ pub enum Quantity {
     Feed(f64),
     /// Degrees.
     Angle(f64),
-    /// A plain number.
+    /// A number without a unit.
     Plain(f64),
 }
 
 impl Quantity {
-    /// mm, mm/min, degrees.
+    /// The number, in mm, mm/min or degrees.
     pub fn value(self) -> f64 {
         match self {
             Quantity::Length(x) | Quantity::Feed(x) | Quantity::Angle(x) | Quantity::Plain(x) => x,
@@ -25,21 +25,21 @@ impl Quantity {
     }
 }
 
-/// A block of such a program.
+/// A block of a program of native calls.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OwnBlock {
-    /// A macro by its number, with its letters.
+    /// A macro call: number and letters.
     Call(u32, Vec<(char, Quantity)>),
-    /// A cycle by its number, with its parameters by theirs: Q of a HEIDENHAIN, places of a SINUMERIK.
+    /// A cycle call: number and parameters. HEIDENHAIN counts Q parameters, SINUMERIK positions in the list.
     Cycle(u16, Vec<(u16, Quantity)>),
-    /// A watched move of the program to a place.
+    /// A watched move to a position.
     Goes(Vec3, Feed),
-    /// A result of the call before, by its place in that call's output, kept in the variable of this number: the next call empties it.
+    /// Saves a result of the previous call, given by its position in that call's output, in a variable: the next call overwrites the output.
     Keep(usize, usize),
 }
 
 impl OwnBlock {
-    /// Whether it measures something: a protected move, the probe on and off, what lies between two features and a preset do not.
+    /// Whether the block measures. Protected moves, probe on and off, link moves between features and presets do not.
     pub fn measures(&self) -> bool {
         match self {
             OwnBlock::Call(number, _) => ![9810, 9832, 9833, 9834, 9835].contains(number),
@@ -52,7 +52,7 @@ impl OwnBlock {
     pub fn writes(&self) -> bool {
         match self {
             OwnBlock::Call(_, letters) => letters.iter().any(|(letter, _)| *letter == 'S'),
-            // The row of a preset, or a frame.
+            // Row of a preset, or a frame.
             OwnBlock::Cycle(977 | 978, arguments) => arguments.iter().any(|(place, _)| *place == 2),
             OwnBlock::Cycle(_, parameters) => parameters.iter().any(|(q, _)| *q == 305),
             OwnBlock::Goes(..) | OwnBlock::Keep(..) => false,
@@ -60,47 +60,47 @@ impl OwnBlock {
     }
 }
 
-/// Where a result of a call is found.
+/// Storage of a result after a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stored {
-    /// By its place in the output of the last call.
+    /// Position in the output of the last call.
     Output(usize),
-    /// In a variable that it was kept in.
+    /// Variable in which the result was saved.
     Kept(usize),
 }
 
-/// What a call stops for before it writes: results that are off by as much.
+/// A check that a call makes before it writes: it stops if results deviate by this limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guard {
-    /// The results that it looks at, by their codes.
+    /// Codes of the checked results.
     pub codes: Vec<&'static str>,
     pub off: Off,
-    /// mm or degrees.
+    /// In mm or degrees.
     pub limit: f64,
 }
 
-/// What of the results a call compares with its limit.
+/// Comparison of results with the limit of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Off {
-    /// Each on its own.
+    /// Each result separately.
     Each,
-    /// How far the place is off in the plane.
+    /// Distance of the position in the plane.
     Place,
-    /// The directions of both walls of a corner: it stops only where both are off.
+    /// Directions of both walls of a corner; the call stops only if both exceed the limit.
     BothWalls,
 }
 
-/// What a table of the control says of touches, mm.
+/// Touch settings from the control's probe table, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reach {
     /// Added to the clearance in front of each contact.
     pub set_up: f64,
-    /// How far behind its contact a touch searches.
+    /// Search distance past the nominal contact.
     pub behind: f64,
 }
 
 impl Own {
-    /// The tool offsets that its calls correct, each once.
+    /// Tool offsets that the calls correct, each once.
     pub fn tools(&self) -> Vec<i32> {
         let corrected = self.blocks.iter().filter_map(|(block, _)| match block {
             OwnBlock::Call(_, letters) => letters
@@ -115,7 +115,7 @@ impl Own {
         tools
     }
 
-    /// Keeps what the next cycle would empty, and counts what is kept from `kept` on, where other cycles have kept so much. How much is kept then.
+    /// Saves the results that the next cycle would overwrite. Variables are counted on from `kept`, the number that other cycles use. Returns the new number.
     pub fn keep(&mut self, last: bool, (first, kept): (usize, usize)) -> usize {
         let shift = |variable: usize| variable + kept;
         let mut count = 0;
@@ -141,18 +141,18 @@ impl Own {
     }
 }
 
-/// A program of calls, and how many moves of the path each of them makes.
+/// A sequence of native calls, with the number of moves that each makes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Own {
-    /// Where the first moves come to, in the plane and then down: the first move of the path.
+    /// First position, reached in the plane and then downwards: the end of the path's first move.
     pub first: Vec3,
     pub blocks: Vec<(OwnBlock, usize)>,
-    /// Which of the moves that the calls ask for each move behind the first is: on another part some have no length.
+    /// For each move after the first, its ordinal among the moves that the calls make. On another part some of these moves have no length.
     pub counts: Vec<usize>,
-    /// Where each result is found, by its code; of a set-up [`Path::stored`](crate::path::Path::stored) says it.
+    /// Storage of each result, by its code. [`Path::stored`](crate::path::Path::stored) answers for a set-up.
     pub stored: Vec<(&'static str, Stored)>,
-    /// What its calls stop for, in their order.
+    /// Checks that the calls make before they write, in order.
     pub guards: Vec<Guard>,
-    /// How far its touches reach, where the calls do not say it.
+    /// Touch settings, if the calls do not state them.
     pub reach: Reach,
 }

@@ -1,7 +1,7 @@
 //! The rows of the source's parameter table.
 
 use crate::text::Text;
-/// How a parameter is addressed.
+/// Address of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accessor {
     /// `CmdPrm.Int[ ]`.
@@ -15,10 +15,10 @@ pub enum Accessor {
 }
 
 impl Accessor {
-    /// Those of a CAM parameter table.
+    /// Accessors of a CAM parameter table.
     pub const CMD_PRM: [Accessor; 3] = [Accessor::Int, Accessor::Flt, Accessor::Bol];
 
-    /// The word: `Int`, `Flt`, `Bol`, `Q`.
+    /// The word of the accessor: `Int`, `Flt`, `Bol`, `Q`.
     pub const fn word(self) -> &'static str {
         match self {
             Accessor::Int => "Int",
@@ -35,13 +35,13 @@ pub struct Parameter {
     /// The code inside the brackets of `CmdPrm.…[ ]`.
     pub code: i32,
     pub accessor: Accessor,
-    /// The type column of the source's page.
+    /// Entry in the type column of the source's page.
     pub type_name: &'static str,
     pub value: ParameterValue,
     pub meaning: Text,
-    /// The path of the job's field it comes from.
+    /// Path of the job field that gives the value.
     pub field: Option<String>,
-    /// Index of the touch it comes from.
+    /// Index of the touch that gives the value.
     pub touch: Option<usize>,
 }
 
@@ -49,12 +49,12 @@ pub struct Parameter {
 pub enum ParameterValue {
     /// A length, mm.
     Length(f64),
-    /// A pure number or an angle in degrees.
+    /// A plain number, or an angle in degrees.
     Number(f64),
     Whole(i32),
     Flag(bool),
-    /// Text, as it goes out.
+    /// A text, printed as it is.
     Text(String),
-    /// A word of the control that stands for a number.
+    /// A word of the control in place of a number.
     Word(&'static str),
 }

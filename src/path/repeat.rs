@@ -1,11 +1,11 @@
-//! Touches that are repeated where they are.
+//! Repeated touches of one point.
 
 use crate::geom::Vec3;
 use crate::path::{Move, Path, Purpose, Touch};
 
 impl Path {
-    /// The same with every touch made so many times, each after the way back from the one before; the formula computes with the means. Repeated touches
-    /// may be farther apart by no more than `limit`, mm.
+    /// The path with every touch made `times` times, each after the retract from the previous one. The formula computes with the means. The touches of one
+    /// point may differ by no more than `limit`, mm.
     pub fn repeated(mut self, times: usize, limit: Option<f64>) -> Path {
         let directions = self.directions();
         self.formula = self.formula.repeated(times, &directions, limit);
@@ -23,7 +23,7 @@ impl Path {
         for (index, step) in moves.iter().enumerate() {
             match step.purpose {
                 Purpose::Position => self.moves.push(*step),
-                // With its way back.
+                // The touch with its retract.
                 Purpose::Touch(k) => {
                     let back = moves
                         .get(index + 1)
@@ -39,7 +39,7 @@ impl Path {
                         }));
                     }
                 }
-                // Ways back go with their touches; searches are those of native cycles, which repeat nothing.
+                // Retracts are copied with their touches. Searches belong to native cycles, which repeat nothing.
                 Purpose::Back(_) | Purpose::Search(_) => {}
             }
         }

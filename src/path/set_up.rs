@@ -1,4 +1,4 @@
-//! The paths of several cycles as one: a set-up.
+//! Joins the paths of several cycles into the path of a set-up.
 
 use std::ops::Range;
 
@@ -12,74 +12,74 @@ use crate::path::{
     ZERO_LENGTH,
 };
 
-/// The number of the step of a way between two cycles: it is in no list of theirs.
+/// Step number of a link move between two cycles, which belongs to no cycle's list.
 pub const WAY: u8 = 0;
 
-/// A cycle of a set-up, as a part of the whole path.
+/// A cycle of a set-up, as a part of the joined path.
 #[derive(Clone, Debug)]
 pub struct Member {
-    /// Its name: letters and digits.
+    /// Name: letters and digits.
     pub name: String,
-    /// What it is, for the header of a program: `ENCY/SprutCAM type 4: Hole`.
+    /// Title for the header of a program: `ENCY/SprutCAM type 4: Hole`.
     pub title: String,
-    /// Its path as if it were alone.
+    /// The path of the cycle before joining.
     pub path: Path,
-    /// Its moves in the whole, behind the way to it.
+    /// Its moves in the joined path, after the link move to it.
     pub moves: Range<usize>,
-    /// Its touches in the whole.
+    /// Its touches in the joined path.
     pub touches: Range<usize>,
-    /// Its surfaces in the whole.
+    /// Its surfaces in the joined path.
     pub surfaces: Range<usize>,
-    /// Its results in the whole.
+    /// Its results in the joined path.
     pub results: Range<usize>,
-    /// Where the results of earlier cycles put it.
+    /// Shift, rotation and growth by results of earlier cycles.
     pub placing: Placing,
-    /// What a work offset can be written from.
+    /// Correction of the work offset that the cycle measures.
     datum: Option<Datum>,
-    /// How much later than alone its variables are found in the whole.
+    /// Shift of its variable indices in the joined formula.
     later: u32,
 }
 
-/// A relation between results of cycles, as a part of the whole path.
+/// A relation between results of cycles, as a part of the joined path.
 #[derive(Clone, Debug)]
 pub struct Related {
-    /// Its place in the list of the job.
+    /// Index in the job's list of relations.
     pub index: usize,
-    /// Its name: letters and digits.
+    /// Name: letters and digits.
     pub name: String,
     pub own: formula::Relating,
-    /// Its results in the whole.
+    /// Its results in the joined path.
     pub results: Range<usize>,
-    /// The members whose touches it comes from, in their order.
+    /// Members whose touches the relation depends on, in order.
     pub sources: Vec<usize>,
-    /// What a work offset can be written from.
+    /// Correction of the work offset that the relation gives.
     datum: Option<Datum>,
 }
 
-/// A cycle or a relation of a set-up: what has results.
+/// A cycle or relation, as a source of results.
 #[derive(Clone, Debug)]
 pub struct Measuring<'p> {
     pub name: &'p str,
-    /// Its results in the whole.
+    /// Its results in the joined path.
     pub results: Range<usize>,
-    /// What a work offset can be written from.
+    /// Correction of the work offset that it gives.
     pub datum: Option<Datum>,
 }
 
-/// What a set-up writes: for abscissa, ordinate and tool axis the cycle or relation that measures it, and the result by which the system is turned.
+/// Sources of the work offset that a set-up writes: a cycle or relation for abscissa, ordinate and tool axis, and a result for the rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DatumSource {
-    /// Places in the list of cycles, and behind them of relations.
+    /// Indices into the list of cycles, followed by the relations.
     pub place: [Option<usize>; 3],
     /// Index of a result.
     pub rotation: Option<usize>,
 }
 
-/// Makes the block of a way to a place, along these axes.
+/// Makes the block of a link move to a position, along these axes.
 pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
 impl Path {
-    /// The path of a set-up to which no cycle is added yet.
+    /// The path of a set-up without cycles.
     pub fn of_set_up() -> Path {
         Path {
             touches: Vec::new(),
@@ -101,8 +101,8 @@ impl Path {
         }
     }
 
-    /// Adds what the next cycle measures, so that a later cycle can follow it. `path` is its path alone; [`Path::connect`] adds the moves.
-    /// `axes` are abscissa, ordinate and tool axis.
+    /// Adds the measurements of the next cycle, so that a later cycle can follow them. `path` is the path of that cycle before joining; [`Path::connect`] adds
+    /// the moves. `axes` are abscissa, ordinate and tool axis.
     pub fn add_cycle(
         &mut self,
         (name, title): (String, String),
@@ -117,7 +117,7 @@ impl Path {
             self.surfaces.len(),
             self.formula.results.len(),
         );
-        // The samples of a cycle follow those of the one before.
+        // Samples are numbered on from those of the previous cycle.
         let before = self
             .members
             .last()
@@ -150,8 +150,8 @@ impl Path {
         });
     }
 
-    /// Adds the moves of all cycles, one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are
-    /// those of all. `way` makes the block of a way to a place along some axes, where all are native cycles.
+    /// Adds the moves of all cycles. Between two cycles the probe goes up to `clear` along the tool axis, across, and down. `feeds` apply to all cycles. `way`
+    /// makes the block of a link move, if all cycles are native.
     pub fn connect(&mut self, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) {
         let mut members = std::mem::take(&mut self.members);
         let first = &members.first().expect("a set-up has a cycle").path;
@@ -206,7 +206,7 @@ impl Path {
         }
     }
 
-    /// What is asked of results before a cycle that follows them: of each once, in the whole.
+    /// Checks of followed results before a cycle. Each result is checked once in the program.
     pub fn asked_before(&self, member: usize, limits: &Limits) -> Vec<Question> {
         let followed = |member: &Member| {
             member
@@ -226,18 +226,18 @@ impl Path {
             .collect()
     }
 
-    /// The assignments that can be computed once the touches of a member are made: from its own first one on, with those that shift the next member.
+    /// Assignments that can be computed after the touches of a member: its own, and the shifts of the next member.
     pub fn computed_by(&self, member: usize) -> Range<usize> {
         let begin = |m: usize| self.members.get(m).map(|member| member.later as usize);
         begin(member).unwrap_or(0)..begin(member + 1).unwrap_or(self.formula.assignments.len())
     }
 
-    /// What shifts the end of a move.
+    /// Shift of the end of a move.
     pub fn shifts(&self, index: usize) -> &Shifts {
         self.shifts.get(index).unwrap_or(STILL)
     }
 
-    /// What shifts a place at a move, as the contact of a touch is one.
+    /// Shift of a position that belongs to a move, such as the contact of a touch.
     pub fn shifts_at(&self, index: usize, place: Vec3) -> Shifts {
         let own = self
             .members
@@ -252,7 +252,7 @@ impl Path {
         )
     }
 
-    /// Adds a relation between results: `index` is its place in the list of the job.
+    /// Adds a relation between results. `index` is its index in the job's list.
     pub fn relate(&mut self, index: usize, name: String, own: formula::Relating) {
         let begin = self.formula.results.len();
         let datum = self.formula.relate(&name, &own);
@@ -278,14 +278,14 @@ impl Path {
         );
     }
 
-    /// Results of a relation for these values of its operands, mm or degrees, in their order.
+    /// Results of a relation for these values of its operands, mm or degrees, in order.
     pub fn related(
         &self,
         relation: &Related,
         known: impl Fn(usize) -> Option<f64>,
     ) -> Vec<Option<f64>> {
         let results = &self.formula.results;
-        // A direction may be said a whole turn farther.
+        // A control may give a direction a whole turn away.
         let turn = |index: usize, value: f64| {
             value + ((results[index].nominal - value) / 360.0).round() * 360.0
         };
@@ -327,7 +327,8 @@ impl Path {
         relation.results.clone().zip(values).map(near).collect()
     }
 
-    /// Adds to the results that a text gives those of relations that follow from them: not every program computes them. Says which these are.
+    /// Completes results that were read from a text with those of relations that follow from them: not every program computes relations. Returns the indices of
+    /// the added results.
     pub fn complete(&self, results: &mut [Option<f64>]) -> Vec<usize> {
         let mut added = Vec::new();
         for relation in &self.relations {
@@ -342,7 +343,7 @@ impl Path {
         added
     }
 
-    /// The members whose touches a result comes from, in their order.
+    /// Members whose touches a result depends on, in order.
     pub fn sources(&self, result: usize) -> Vec<usize> {
         let relation = self
             .relations
@@ -359,7 +360,7 @@ impl Path {
         )
     }
 
-    /// Whether a result is known once a member is measured; `None` if it does not come from its touches.
+    /// Whether a result is known after a member is measured; `None` if it does not depend on that member's touches.
     pub fn is_known_by(&self, result: usize, member: usize) -> Option<bool> {
         if self.members[member].results.contains(&result) {
             return Some(true);
@@ -374,13 +375,13 @@ impl Path {
             .then(|| sources.last() == Some(&member))
     }
 
-    /// Says what the set-up writes.
+    /// Sets the sources of the work offset.
     pub fn write_from(&mut self, source: &DatumSource) {
         self.datum_source = *source;
         self.formula.datum = self.datum_of(source);
     }
 
-    /// The cycles of a set-up and, behind them, its relations.
+    /// The cycles of a set-up, followed by its relations.
     pub fn measuring(&self) -> impl Iterator<Item = Measuring<'_>> {
         let members = self.members.iter();
         let cycles = members.map(|own| Measuring {
@@ -396,7 +397,7 @@ impl Path {
         }))
     }
 
-    /// The same without the relations from this one of the job's list on.
+    /// The cycles and relations before this relation of the job's list.
     pub fn measuring_before(&self, relation: usize) -> impl Iterator<Item = Measuring<'_>> {
         let before = self.relations.partition_point(|own| own.index < relation);
         self.measuring().take(self.members.len() + before)
@@ -408,7 +409,7 @@ impl Path {
         self.measuring().position(|own| own.name == name)
     }
 
-    /// The way to the next cycle, which is shifted by `shifts`; to the first one the stylus comes from anywhere.
+    /// Adds the link moves to the next cycle, shifted by `shifts`. The stylus may come to the first cycle from anywhere.
     fn leads_to(&mut self, next: &Path, clear: f64, shifts: Shifts) {
         let (Some(last), Some(to)) = (
             self.moves.last().map(|step| step.to),
@@ -418,8 +419,8 @@ impl Path {
         };
         let w = self.frame.w;
         let at = |place: Vec3| place + w * (clear - place.dot(w));
-        // A cycle that does not say where it begins moves to its first position: down, or across at the same height.
-        // The height between cycles follows nothing: there it goes across, whatever the heights of the cycles follow.
+        // A cycle without a start moves to its first position, down or across at the same height. The clearance plane follows no result, so the move across
+        // there does not depend on the heights that the cycles follow.
         let level = |shifts: &Shifts| {
             [0, 1, 2].map(|axis| {
                 if w[axis].abs() < 0.5 {
@@ -457,12 +458,12 @@ impl Path {
         }
     }
 
-    /// How far a move may be shifted, mm.
+    /// Largest shift of a move, mm.
     pub fn farthest_shift(&self, index: usize) -> f64 {
         most(self.shifts(index)).length()
     }
 
-    /// The calls of the next cycle, behind those of the way to it: its moves from this index on, and its own first one.
+    /// Adds the calls of the next cycle after those of the link moves. Its moves begin at this index and replace its own first move.
     fn take_calls(&mut self, path: &Path, before: usize, way: WayBlock<'_>) {
         let Some(own) = &path.own else { return };
         let Some(whole) = &mut self.own else {
@@ -522,7 +523,7 @@ impl Path {
         let all: Vec<Option<Datum>> = self.measuring().map(|own| own.datum).collect();
         let datum = |axis: usize| all.get(source.place[axis]?).copied().flatten();
         let mut place = [0, 1, 2].map(|axis| datum(axis)?.place[axis]);
-        // Abscissa and ordinate come together: what is not measured is taken to be nominal.
+        // Abscissa and ordinate are written together: an unmeasured one counts as nominal.
         for (one, other) in [(0, 1), (1, 0)] {
             if let (Some(measures), None) = (datum(one), place[other]) {
                 let nominal = measures.place[other];
@@ -543,7 +544,7 @@ impl Path {
         })
     }
 
-    /// The member to which the way begins with this move.
+    /// The member whose link moves begin with this move.
     pub fn begins_member(&self, index: usize) -> Option<usize> {
         let begin = |m: usize| {
             m.checked_sub(1)
@@ -552,7 +553,7 @@ impl Path {
         (0..self.members.len()).find(|m| begin(*m) == index)
     }
 
-    /// The cycle of a move, or the one that it leads to. `None` in a path of one cycle.
+    /// The cycle of a move, or the cycle that a link move leads to. `None` in the path of a single cycle.
     pub fn member_of_move(&self, index: usize) -> Option<usize> {
         (!self.members.is_empty()).then(|| {
             self.members
@@ -560,7 +561,7 @@ impl Path {
         })
     }
 
-    /// Where each result is found after native cycles, by its place in the list of all.
+    /// Storage of each result after native cycles, by the index of the result.
     pub fn kept(&self) -> Vec<(usize, Stored)> {
         let of = |path: &Path, results: Range<usize>| -> Vec<(usize, Stored)> {
             let index = |code: &str| {
@@ -581,7 +582,7 @@ impl Path {
         }
     }
 
-    /// The same by its name: of a set-up with that of its cycle.
+    /// Storage of each result by its name, in a set-up with the name of its cycle.
     pub fn stored(&self) -> Vec<(String, Stored)> {
         let name = |index: usize| self.formula.code(&self.formula.results[index]).into_owned();
         self.kept()
@@ -590,7 +591,7 @@ impl Path {
             .collect()
     }
 
-    /// The cycle of a touch; likewise.
+    /// The cycle of a touch. `None` in the path of a single cycle.
     pub fn member_of_touch(&self, k: usize) -> Option<usize> {
         (!self.members.is_empty()).then(|| {
             self.members

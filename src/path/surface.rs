@@ -1,39 +1,38 @@
-//! The walls of a feature.
+//! Walls of a feature.
 
 use crate::geom::Vec3;
 
-/// A flat wall of the feature. The material lies behind it, against `normal`.
+/// A flat wall of the feature. The material is on the side opposite to `normal`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
-    /// A point on it: at the top side where it has one, else at the level of the touches.
+    /// A point of the wall: at the top side if there is one, else at the level of the touches.
     pub point: Vec3,
     /// Outward normal.
     pub normal: Vec3,
-    /// The direction that `extent` is counted in.
+    /// Direction in which `extent` is counted.
     pub along: Vec3,
-    /// How far it is drawn along `along` from `point`: from, to. Contacts treat it as going on.
+    /// Drawn range along `along` from `point`: from, to. Contacts treat the wall as unlimited.
     pub extent: (f64, f64),
-    /// How deep below `point` it is drawn.
+    /// Drawn depth below `point`.
     pub drawn_depth: f64,
-    /// Whether it ends at `point`'s level with a flat top side behind it; else it has no upper end.
+    /// Whether the wall ends at the level of `point` with a flat top side; otherwise it has no upper end.
     pub has_top: bool,
-    /// Which body it bounds. Walls of one body bound it together: the material is what lies behind all of them.
+    /// Index of the body that the wall bounds. The material of a body is the intersection of the half-spaces of its walls.
     pub body: usize,
 }
 
 /// A round wall about the tool axis: a hole or a stud.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Round {
-    /// The middle of its top.
+    /// Centre of its top.
     pub center: Vec3,
     /// Its radius, mm.
     pub radius: f64,
-    /// Whether the material lies outside (a hole) or inside (a stud).
+    /// Whether it is a hole, with the material outside; otherwise a stud.
     pub hole: bool,
-    /// How deep below the top it is drawn.
+    /// Drawn depth below the top.
     pub drawn_depth: f64,
-    /// How far from the axis of a hole the material around it reaches, mm: infinity where it is in a plate. None: nothing is known
-    /// beyond its rim.
+    /// Radius of the material around a hole, mm; infinite in a plate. `None`: unknown beyond the rim.
     pub plate: Option<f64>,
 }
 
@@ -41,6 +40,6 @@ pub struct Round {
 pub enum Surface {
     Flat(Wall),
     Round(Round),
-    /// Somewhere: its place is not known. It is not drawn, and no contact with it is found.
+    /// A surface at an unknown position. It is not drawn, and contacts with it are not found.
     Unknown,
 }

@@ -1,9 +1,9 @@
-//! Strings the moves of a path together.
+//! Builds the moves of a path one after the other.
 
 use crate::geom::Vec3;
 use crate::path::{Arc, Feed, Move, Purpose, Setup, Touch, ZERO_LENGTH};
 
-/// Strings moves together; leaves out those of no length.
+/// Builds a path move by move and leaves out moves without length.
 #[derive(Debug)]
 pub struct Tracer {
     at: Option<Vec3>,
@@ -12,7 +12,7 @@ pub struct Tracer {
 }
 
 impl Tracer {
-    /// Starts at an unknown place: the first move is always kept.
+    /// Starts at an unknown position: the first move is always kept.
     pub fn new(setup: &Setup) -> Self {
         Tracer {
             at: None,
@@ -21,7 +21,7 @@ impl Tracer {
         }
     }
 
-    /// Starts where the ball is.
+    /// Starts at a known ball centre.
     pub fn starting_at(setup: &Setup, start: Vec3) -> Self {
         Tracer {
             at: Some(start),
@@ -50,17 +50,17 @@ impl Tracer {
         });
     }
 
-    /// Position of the ball, once known.
+    /// Current ball centre; `None` before the first move.
     pub fn place(&self) -> Option<Vec3> {
         self.at
     }
 
-    /// The touch with this index from the present position, and its retract, as one step.
+    /// The touch with this index from the current position and its retract, as one step.
     pub fn touch(&mut self, index: usize, touch: &Touch, back: Feed, step: u8) {
         self.touch_in_steps(index, touch, back, [step, step]);
     }
 
-    /// The same where the touch and the way back are steps of their own.
+    /// The touch and its retract as two steps.
     pub fn touch_in_steps(&mut self, index: usize, touch: &Touch, back: Feed, steps: [u8; 2]) {
         let from = self.at.expect("a touch starts at a known place");
         let to = touch.contact(self.radius);
@@ -84,7 +84,7 @@ impl Tracer {
         self.moves
     }
 
-    /// A touch and its way back are never left out, however short: the check of the whole path reports them.
+    /// Touches and retracts are kept even without length: the check of the whole path reports them.
     fn push(&mut self, next: Move) {
         if next.purpose != Purpose::Position
             || self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH)

@@ -1,7 +1,7 @@
-//! ISO 286-1 limits for sizes to 500 mm, in micrometres, as tables. A band is over the size before it, up to and including its
-//! own. `NONE` is a deviation that the standard does not give.
+//! ISO 286-1 limits for sizes up to 500 mm, in micrometres, as tables. A band reaches from above the previous size up to and including its own. `NONE` is a
+//! deviation that the standard does not give.
 
-/// No deviation is given.
+/// A deviation that the standard does not give.
 pub const NONE: i16 = i16::MIN;
 
 /// Upper ends of the 25 bands of the fundamental deviations, mm.

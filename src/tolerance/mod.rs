@@ -1,8 +1,7 @@
-//! Nominal values as HEIDENHAIN's 14xx cycles take them: numbers, tolerances, unknown and given positions.
+//! Nominal values of HEIDENHAIN's 14xx cycles: numbers, tolerances, unknown and given positions.
 //!
-//! The forms are recalled from the control's manuals and not seen in print: `10H7` (ISO 286), `10m` (ISO 2768-1),
-//! `10+0.01-0.015` (signed limits), `?` and `?10` (semi-automatic), `10@10.02` (given). That a missing limit is 0 is our
-//! choice.
+//! The forms are recalled from the control's manuals, not read in print [R]: `10H7` (ISO 286), `10m` (ISO 2768-1), `10+0.01-0.015` (signed limits), `?` and
+//! `?10` (semi-automatic), `10@10.02` (given). A missing limit is 0 [I].
 
 mod iso286;
 mod result;
@@ -17,21 +16,21 @@ use iso286::{GRADES, HOLE_J, MAIN_BANDS, NONE, SHAFT_J, SHAFT_K, SHAFTS, SUB_BAN
 /// Maximum length of a tolerance, or of a size with a tolerance, in characters.
 pub const LONGEST: usize = 64;
 
-/// The forms a value may have, for people.
+/// Valid forms of a value, for messages.
 pub const FORMS: &str = "10, 10H7, 10m, 10+0.01-0.015, +8-2-1, ?, ?10, 10@10.02";
 
-/// A value as it was meant. Lengths in the units it was written in until [`Nominal::scaled`].
+/// A parsed value. Lengths are in the units of the text until [`Nominal::scaled`].
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Nominal {
-    /// The nominal value; none for a bare `?`.
+    /// Nominal value; `None` for a bare `?`.
     pub nominal: Option<f64>,
-    /// Lower and upper limit of the value itself (not of its deviation), where a tolerance is given.
+    /// Lower and upper limit of the value itself (not of its deviation), if there is a tolerance.
     pub limits: Option<(f64, f64)>,
-    /// Whether the place is unknown: semi-automatic.
+    /// Whether the position is unknown: semi-automatic.
     pub unknown: bool,
-    /// The actual value, where it is given and not probed.
+    /// Actual value, if it is given and not probed.
     pub actual: Option<f64>,
-    /// The text it was written as, with points for decimal commas; none for a plain number.
+    /// Original text, with points for decimal commas; `None` for a plain number.
     pub text: Option<String>,
 }
 
@@ -44,14 +43,14 @@ impl Nominal {
         }
     }
 
-    /// What deviations are measured from: the middle of the tolerance zone, or the nominal value.
+    /// Value from which deviations are counted: the middle of the tolerance, or nominal.
     pub fn reference(&self) -> Option<f64> {
         self.limits
             .map(|(low, high)| (low + high) / 2.0)
             .or(self.nominal)
     }
 
-    /// The same with lengths multiplied.
+    /// Multiplies all lengths by a factor.
     pub fn scaled(mut self, factor: f64) -> Self {
         self.nominal = self.nominal.map(|x| x * factor);
         self.limits = self.limits.map(|(low, high)| (low * factor, high * factor));
@@ -60,9 +59,9 @@ impl Nominal {
     }
 }
 
-/// Reads a value. `to_mm` is millimetres in the unit it is written in. The error says in plain words what is wrong.
+/// Reads a value. `to_mm` is millimetres in its unit. The error says in plain words what is wrong.
 pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
-    // What is given, behind @, is a number.
+    // The given value after @ is a number.
     let (place, given) = text
         .trim()
         .split_once('@')
@@ -202,7 +201,7 @@ pub fn class_of(text: &str) -> Option<&str> {
     (toleranced(text).is_some() && is_class(class) && !class.contains('/')).then_some(class)
 }
 
-/// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
+/// Whether a text is one or two letters and one or two digits, such as `H7`, by itself or before a slash as in `H7/g6`.
 fn is_class(text: &str) -> bool {
     let class = text.split('/').next().unwrap_or(text).trim();
     let letters = class.bytes().take_while(u8::is_ascii_alphabetic).count();
@@ -212,15 +211,15 @@ fn is_class(text: &str) -> bool {
         && grade.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The same value with every length multiplied by `by`; none for a text that is no value. Letters and signs stay.
+/// Multiplies every length in the value by `by`; `None` for an invalid text. Letters and signs stay.
 pub fn convert(text: &str, by: impl Fn(f64) -> f64) -> Option<String> {
-    // Only the form of the text matters here, not whether a class is known for its size.
+    // Only the form of the text matters here, not whether the class exists for its size.
     let text = &canonical(text);
     let mut rest = text.trim();
     let mut out = String::new();
     let digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',');
     while let Some(first) = rest.chars().next() {
-        // The grade of a class is no length.
+        // The grade of a class is not a length.
         if first.is_ascii_alphabetic() {
             let end = rest
                 .find(|c: char| !c.is_ascii_alphanumeric())
@@ -233,7 +232,7 @@ pub fn convert(text: &str, by: impl Fn(f64) -> f64) -> Option<String> {
             if first == '+' && !converted.starts_with('-') {
                 out.push('+');
             }
-            // A deviation that vanishes keeps its sign.
+            // A deviation that becomes 0 keeps its sign.
             if first == '-' && !converted.starts_with('-') {
                 out.push('-');
             }
@@ -282,7 +281,7 @@ fn standard(text: &str, nominal: f64) -> Result<(f64, f64), Text> {
     iso_286(class, grade, nominal)
 }
 
-/// A size this little over the end of a band is the end itself, mm: 10 mm are 0.393701 inch, and those are 10.0000054 mm.
+/// Sizes that exceed the end of a band by less count as the end itself, mm: 10 mm are 0.393701 inch, which are 10.0000054 mm.
 const AT_BAND_END: f64 = 2e-5;
 
 /// ISO 2768-1, linear sizes.
@@ -309,7 +308,7 @@ fn general(class: &str, size: f64) -> Result<(f64, f64), Text> {
     }
 }
 
-/// The grade, IT01 as −1. IT01 and IT0 are for H, h, JS and js only.
+/// The grade; IT01 is −1. IT01 and IT0 exist only for H, h, JS and js.
 fn grade_of(class: &str, text: &str) -> Option<i32> {
     let grade = match text {
         "01" => -1,
@@ -386,7 +385,7 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
         ("j", false) => above(table(&SHAFT_J)?),
         (letter, true) if early => above(-shaft(letter)?),
         (letter, false) if early => below(shaft(letter)?),
-        // The hole K has one ei for every grade up to 8, and is not defined above, over 3 mm.
+        // The hole K has one ei for every grade up to 8, and above that it is not defined over 3 mm.
         ("k", true) if grade > 8 && size > 3.0 + AT_BAND_END => return Err(unknown()),
         ("k", true) => below(hole_upper(
             "k",
@@ -438,7 +437,7 @@ fn number(text: &str) -> Option<f64> {
         .filter(|x| x.abs() <= 100_000.0)
 }
 
-/// Where the number at the start of a text ends; `None` if it starts with none.
+/// End of the number at the start of a text; `None` if the text does not start with one.
 fn end_of_number(text: &str) -> Option<usize> {
     let sign = usize::from(text.starts_with(['+', '-']));
     let length = text[sign..]
@@ -530,7 +529,7 @@ mod tests {
         }
     }
 
-    /// Every class of every letter, grade and band by the standard's own rules, if the tables give it.
+    /// Checks every class of every letter, grade and band against the standard's own rules, if the tables have it.
     #[test]
     fn classes_keep_the_rules() {
         let letters = [
@@ -564,7 +563,7 @@ mod tests {
                         continue;
                     };
                     let (s, c) = (small.limits.unwrap(), capital.limits.unwrap());
-                    // A … H mirror their shafts; coarse or small K … ZC too.
+                    // A … H mirror their shafts; so do coarse or small K … ZC.
                     let mirrored = letters.iter().position(|l| *l == letter) < Some(11)
                         || (size <= 3.0 && letter != "j");
                     if mirrored {
@@ -592,7 +591,7 @@ mod tests {
         assert_eq!(limits("+8-2-1"), (-2000.0, -1000.0));
         assert_eq!(limits("10-0.2"), (-200.0, 0.0));
         assert_eq!(limits("10+0,2"), (0.0, 200.0));
-        // As drawings write them; what goes to the control has the form that it takes.
+        // Forms on drawings; the value for the control has the control's form.
         for (text, low, high, written) in [
             ("10 +0.021/0", 0.0, 21.0, "10+0.021+0"),
             ("10 0 -0.02", -20.0, 0.0, "10+0-0.02"),
@@ -632,7 +631,7 @@ mod tests {
         near("25 0 -0.02", 1.0, [24.98, 25.0]);
         near("25 +0.021 0", 1.0, [25.0, 25.021]);
         near("25-0.02", 1.0, [24.98, 25.0]);
-        // Where no sum can be meant, a deviation may be of any size.
+        // If a sum is excluded, a deviation may have any size.
         near("25 ±1", 1.0, [24.0, 26.0]);
         near("100 +1 0", 1.0, [100.0, 101.0]);
         near("100 +1/-2", 1.0, [98.0, 101.0]);
@@ -652,7 +651,7 @@ mod tests {
         }
     }
 
-    /// 0.05 inch are 1.27 mm: as `50.8+1.27` they would be a sum.
+    /// 0.05 inch are 1.27 mm: `50.8+1.27` would be a sum.
     #[test]
     fn a_size_with_a_tolerance_stays_one_in_other_units() {
         for (inch, mm) in [
@@ -674,7 +673,7 @@ mod tests {
         }
     }
 
-    /// The middles that the reference prints.
+    /// Middles of tolerances, as the reference prints them.
     #[test]
     fn deviations_count_from_the_middle_of_the_zone() {
         for (text, middle) in [

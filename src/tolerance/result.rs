@@ -1,18 +1,18 @@
-//! Tolerances of results, as drawings write them: about the nominal value, or with it.
+//! Tolerances of results in the forms of drawings: deviations from nominal, or sizes with a tolerance.
 
 use super::{end_of_number, number, shown, signed, standard};
 use crate::num::decimal;
 use crate::text::{Text, text};
 
-/// The forms that the tolerance of a result may have, for people.
+/// Valid forms of the tolerance of a result, for messages.
 pub const RESULT_FORMS: &str = "25H7, H7, ±0.02, +0.021/0, 0 -0.02, 25 ±0.02, 24.98..25.02";
 
-/// What the tolerance of a result says.
+/// A parsed tolerance of a result.
 #[derive(Clone, Debug, PartialEq)]
 enum Zone<'t> {
-    /// Its ends.
+    /// Smallest and largest value.
     Ends([f64; 2]),
-    /// Deviations, from the size in front of them where there is one.
+    /// Deviations, from the size before them if there is one.
     Off(Option<f64>, Deviations<'t>),
     /// Two signed numbers, with or without a blank: deviations, or a size and one deviation. The nominal value decides.
     Either([f64; 2]),
@@ -27,7 +27,7 @@ enum Deviations<'t> {
 }
 
 impl<'t> Deviations<'t> {
-    /// `±0.02`, `+0.021/0`, `0 -0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. `None` if it is none of these. Only a 0 has no sign.
+    /// Reads `±0.02`, `+0.021/0`, `0 -0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. `None` for any other text. Only 0 has no sign.
     fn read(text: &'t str) -> Option<Self> {
         let given =
             |one: f64, other: f64| Some(Deviations::Given([one.min(other), one.max(other)]));
@@ -48,7 +48,7 @@ impl<'t> Deviations<'t> {
         class.then_some(Deviations::Class(text))
     }
 
-    /// Lower and upper deviation, in the units of the size; `to_mm` is millimetres in one. An error of a class that does not exist for it.
+    /// Lower and upper deviation in the units of the size; `to_mm` is millimetres in one unit. An error if the class does not exist for the size.
     fn of(&self, size: f64, to_mm: Option<f64>) -> Option<Result<[f64; 2], Text>> {
         match *self {
             Deviations::Given(off) => Some(Ok(off)),
@@ -65,7 +65,7 @@ pub fn are_deviations(text: &str) -> bool {
     matches!(Deviations::read(&tidied(text)), Some(Deviations::Given(_)))
 }
 
-/// A text without what says nothing: one blank for several, signs as they are typed.
+/// A text with single blanks and uniform signs.
 fn tidied(text: &str) -> String {
     let plain = text.replace('\u{2212}', "-").replace('…', "..");
     let plain = plain.trim().trim_start_matches(['Ø', 'ø', '⌀']);
@@ -104,13 +104,13 @@ impl<'t> Zone<'t> {
     }
 }
 
-/// How near a size in a text must be to the nominal value to be that value.
+/// Largest difference of a size in a text from nominal that counts as equal.
 const SAME: f64 = 1e-9;
-/// A first number from here on is a size and not a deviation, in any unit.
+/// From this value on a first number is a size and not a deviation, in any unit.
 const LARGEST_DEVIATION: f64 = 1.0;
 
-/// The limits that two signed numbers give about a nominal value, and whether the first is that value. `-35-0.2` of -35 is a size with a deviation,
-/// `+0.02-0.02` of 0 and `-0.1-0.2` of 25 are deviations; an error with both readings where both make sense.
+/// The limits that two signed numbers give for a nominal value, and whether the first number is that value. `-35-0.2` for −35 is a size with a deviation,
+/// `+0.02-0.02` for 0 and `-0.1-0.2` for 25 are deviations. An error with both readings if both are possible.
 fn of_two(text: &str, [first, second]: [f64; 2], nominal: f64) -> Result<([f64; 2], bool), Text> {
     let sized = [first + second.min(0.0), first + second.max(0.0)];
     let about = [nominal + first.min(second), nominal + first.max(second)];
@@ -132,7 +132,7 @@ fn of_two(text: &str, [first, second]: [f64; 2], nominal: f64) -> Result<([f64; 
     ))
 }
 
-/// A size with a tolerance as drawings write it in the form that 1411 takes: `10+0.021+0` for `10 +0.021/0`. Any other text as it is.
+/// Converts a size with a tolerance from the form of drawings to that of 1411: `10+0.021+0` for `10 +0.021/0`. Any other text is unchanged.
 pub fn canonical(text: &str) -> String {
     let drawn = text.contains([' ', '/', '±', 'Ø', 'ø', '⌀', '\u{2212}']);
     match Zone::read(&tidied(text)) {
@@ -141,10 +141,10 @@ pub fn canonical(text: &str) -> String {
     }
 }
 
-/// The smallest and the largest value that a tolerance of a result allows, and whether the text says the nominal value itself. A text that begins with a
-/// sign, a letter or a 0 is about the nominal value: `±0.02`, `+0.021/0`, `0 -0.02`, `+0.021 0`, `-0.1-0.2`, `H7`. One that begins with a number has it:
-/// `25H7`, `25 ±0.02`, `24.98..25.02`; a negative one with two deviations, or where it is the nominal value: `-35 ±0.1`, `-35+0.1-0.2`, `-35 -0.2`. Two signed
-/// numbers that read both ways are an error. `to_mm` is millimetres in the unit; none of what has no classes.
+/// Smallest and largest value that a tolerance of a result allows, and whether the text contains the nominal value. A text that begins with a sign, a letter or
+/// 0 gives deviations: `±0.02`, `+0.021/0`, `0 -0.02`, `+0.021 0`, `-0.1-0.2`, `H7`. A text that begins with a number contains the nominal value: `25H7`, `25
+/// ±0.02`, `24.98..25.02`; so does a negative number with two deviations, or one that equals nominal: `-35 ±0.1`, `-35+0.1-0.2`, `-35 -0.2`. Two signed numbers
+/// that can be read both ways are an error. `to_mm` is millimetres in the unit; `None` for values without classes.
 pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 2], bool), Text> {
     let wrong = || {
         text!(
@@ -177,8 +177,7 @@ pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 
     Ok(([middle + low, middle + high], size.is_some()))
 }
 
-/// The same tolerance in characters that a comment of any control takes, without blanks and with the numbers as they were written: `+0.02-0.02` for
-/// `±0.02`, `..` for `…`.
+/// The tolerance in characters that a comment of any control accepts, without blanks and with the numbers as written: `+0.02-0.02` for `±0.02`, `..` for `…`.
 pub fn plain_of_result(text: &str) -> String {
     let plain = tidied(text).replace(',', ".");
     let (size, off) = match Zone::read(&plain) {
@@ -201,7 +200,7 @@ pub fn plain_of_result(text: &str) -> String {
     } else if let Some((one, other)) = off.split_once('/').or_else(|| off.split_once(' ')) {
         format!("{}{}", signed(one.trim()), signed(other.trim()))
     } else if !size.is_empty() && end_of_number(off) == Some(off.len()) {
-        // Behind a negative size a single deviation would be one of two.
+        // After a negative size a single deviation would be read as one of two.
         format!("+0{}", signed(off))
     } else {
         off.to_owned()
@@ -209,7 +208,7 @@ pub fn plain_of_result(text: &str) -> String {
     format!("{size}{both}")
 }
 
-/// The same tolerance with every length multiplied by `by`: any other text stays as it is.
+/// Multiplies every length in the tolerance by `by`; any other text is unchanged.
 pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
     if Zone::read(&tidied(text)).is_none() {
         return text.to_owned();
@@ -220,14 +219,14 @@ pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
         let digits = rest
             .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ','))
             .unwrap_or(rest.len());
-        // Two points separate the ends of a zone.
+        // Two points separate the ends of a range.
         let digits = rest[..digits].find("..").unwrap_or(digits);
         if digits == 0 || out.ends_with('.') && first == '.' {
             out.push(first);
             rest = &rest[first.len_utf8()..];
             continue;
         }
-        // The grade of a class is no length.
+        // The grade of a class is not a length.
         match number(&rest[..digits]).filter(|_| !out.ends_with(|c: char| c.is_ascii_alphabetic()))
         {
             Some(x) => out.push_str(&decimal(by(x), 9)),
@@ -266,13 +265,13 @@ mod tests {
             ("25 0/-0.02", 25.0, [24.98, 25.0], true),
             ("25 +0.021", 25.0, [25.0, 25.021], true),
             ("35 -0.2", 35.0, [34.8, 35.0], true),
-            // A negative nominal value: a blank, two deviations, or that it is the nominal value say so.
+            // Negative nominal values: a blank, two deviations, or equality with nominal make the number a size.
             ("-35 ±0.1", -35.0, [-35.1, -34.9], true),
             ("-35±0.1", -35.0, [-35.1, -34.9], true),
             ("-35+0.1-0.2", -35.0, [-35.2, -34.9], true),
             ("-35 -0.2", -35.0, [-35.2, -35.0], true),
             ("-35 +0.1", -35.0, [-35.0, -34.9], true),
-            // As drawings and their tables write a fit: zeros, blanks, slashes, one side.
+            // Fits as drawings and their tables write them: zeros, blanks, slashes, one side.
             ("+0.02 -0.02", 0.0, [-0.02, 0.02], false),
             ("+0.02-0.02", 0.0, [-0.02, 0.02], false),
             ("+0.02 -0.02", 25.0, [24.98, 25.02], false),
@@ -327,7 +326,7 @@ mod tests {
                 of_result(text, 25.0, Some(1.0))
             );
         }
-        // Two readings: -34.9 … -34.7 about -35.1 where it is a size, -70.1 … -35.3 as deviations; or about a nominal value that is itself as small as one.
+        // Two readings: −34.9 … −34.7 for nominal −35.1 as a size, −70.1 … −35.3 as deviations; or a nominal value as small as a deviation.
         for (text, nominal) in [("-35 -0.2", -35.1), ("-0.1-0.2", -0.1), ("+0.5 -0.02", 0.5)] {
             let error = of_result(text, nominal, Some(1.0)).unwrap_err();
             assert!(

@@ -1,15 +1,15 @@
-//! The user's own codes: positive numbers that only the user's postprocessor knows. They go through as they are.
+//! Custom codes: positive numbers with a meaning in the user's postprocessor only. They go into the table unchanged.
 
 use crate::form::{Section, Value};
 use crate::path::{Accessor, Parameter, ParameterValue};
 use crate::text::text;
 
-/// The most own codes a cycle may carry.
+/// Largest number of custom codes in a cycle.
 pub const MOST: usize = 200;
-/// The highest of the user's own codes.
+/// Highest custom code.
 pub const HIGHEST: f64 = 1e6;
 
-/// A code of the user's own, added to the table as it is.
+/// A custom code, added to the table unchanged.
 #[derive(Clone, Debug)]
 pub struct Custom {
     code: i32,
@@ -18,7 +18,7 @@ pub struct Custom {
 }
 
 impl Custom {
-    /// Its row of the table. Numbers are not converted: their unit is not known.
+    /// The row in the table. Numbers are not converted, because their unit is unknown.
     pub fn row(&self) -> Parameter {
         Parameter {
             code: self.code,
@@ -36,7 +36,7 @@ impl Custom {
     }
 }
 
-/// Reads `custom`: a list of `{ code, type, value }`, each code once. Every problem is reported.
+/// Reads `custom`: a list of `{ code, type, value }`, each code once. Reports every problem.
 pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
     let place = section.at("custom");
     let items = match section.get("custom") {

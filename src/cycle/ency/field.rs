@@ -1,24 +1,24 @@
-//! Fields that several cycles of the family have.
+//! Fields that several cycles of the family share.
 
 use crate::form::{Code, Field, Seen, form};
 use crate::text::words;
 
-/// The smallest size, step or clearance, mm: less would be lost in a program's last decimals.
+/// Smallest size, step or clearance, mm: a smaller one would disappear in the last decimals of a program.
 const SMALLEST: f64 = 0.001;
 
-/// Where a feature is.
+/// Position of a feature.
 pub const fn origin(label: &'static str) -> Field {
     Field::point("origin", label)
         .group("Place")
         .seen(Seen::Placed)
 }
 
-/// Where a feature with a top side is.
+/// Position of a feature with a top side.
 pub const fn top_centre() -> Field {
     origin("Centre on the top side").help("Centre of the feature, on its top side.")
 }
 
-/// How the feature is turned.
+/// Rotation of a feature.
 pub const fn rotation() -> Field {
     Field::angle("rotation", "Rotation", 0.0)
         .help("How the feature is turned about the tool axis; counter-clockwise positive.")
@@ -51,7 +51,7 @@ pub const fn diameter() -> Field {
         .size()
 }
 
-/// From the top side to the touches.
+/// Distance from the top side down to the touches.
 pub const fn depth() -> Field {
     Field::length("depth", "Depth", 10.0)
         .help("From the top side down to the ball centre at the touches.")
@@ -62,7 +62,7 @@ pub const fn depth() -> Field {
         .seen(Seen::Upright)
 }
 
-/// How high the ball crosses.
+/// Height above the top side at which the ball crosses.
 pub const fn top_clearance() -> Field {
     Field::length("topClearance", "Top clearance", 10.0)
         .help("How far above the top side the ball centre crosses from touch to touch.")
@@ -73,7 +73,7 @@ pub const fn top_clearance() -> Field {
         .seen(Seen::Upright)
 }
 
-/// From how high the ball goes in, where it goes in from above at all.
+/// Height above the top side from which the ball enters, if it enters from above.
 pub const fn entry_clearance() -> Field {
     Field::length("topClearance", "Top clearance", 10.0)
         .help("How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth.")
@@ -99,7 +99,7 @@ pub const fn clearance(
         .group("Clearances")
 }
 
-/// How far above the start a cycle begins and ends.
+/// Height above the start at which a cycle begins and ends.
 pub const fn feed_distance() -> Field {
     Field::length("feedDistance", "Feed distance", 20.0)
         .help("How far above the start the cycle begins, and how far it is lifted at its end.")
@@ -110,7 +110,7 @@ pub const fn feed_distance() -> Field {
         .seen(Seen::Upright)
 }
 
-/// Whether the points of the table are ball-centre positions.
+/// Whether the points of the table are ball centres.
 pub const fn compensate() -> Field {
     Field::flag("compensateDimensions", "Compensate dimensions", false)
         .help("On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same.")
@@ -118,7 +118,7 @@ pub const fn compensate() -> Field {
         .group("Postprocessor")
 }
 
-/// The free number for the postprocessor.
+/// A free number for the postprocessor.
 pub const fn sub_code() -> Field {
     Field::count("subCode", "SubCode", 0, -1_000_000, 1_000_000)
         .help("A free number for the postprocessor. -500 is that of Probe On/Off.")
@@ -126,7 +126,7 @@ pub const fn sub_code() -> Field {
         .group("Postprocessor")
 }
 
-/// How a wall's touches are counted, where both walls share the table's 16.
+/// Number of touches on a wall. Both walls share the 16 touches of the table.
 pub const fn count(
     key: &'static str,
     label: &'static str,
@@ -157,7 +157,7 @@ pub const fn angle() -> Field {
         .size()
 }
 
-/// The code of the angular variant in the source's table.
+/// Code of the angular variant in the source's table.
 const ANGULAR: i32 = 1;
 const VARIANTS: &[Code] = &[
     Code {
@@ -178,7 +178,7 @@ pub const fn variant() -> Field {
         .group("Touches")
 }
 
-/// Where the angular variant begins.
+/// First angle of the angular variant.
 pub const fn start_angle() -> Field {
     Field::angle("startAngle", "Start angle", 0.0)
         .help("Angular variant: where the first touch is, counter-clockwise from the first direction.")
@@ -188,7 +188,7 @@ pub const fn start_angle() -> Field {
         .seen(Seen::Turning)
 }
 
-/// From touch to touch in the angular variant.
+/// Angle from touch to touch in the angular variant.
 pub const fn angular_step() -> Field {
     Field::angle("angularStep", "Angular step", 90.0)
         .help("Angular variant: from one touch to the next, counter-clockwise positive.")
@@ -198,7 +198,7 @@ pub const fn angular_step() -> Field {
         .seen(Seen::Turning)
 }
 
-/// How many touches the angular variant has.
+/// Number of touches in the angular variant.
 pub const fn step_count() -> Field {
     Field::count("stepCount", "Step count", 4, 1, 16)
         .help("Angular variant: how many touches.")
@@ -217,7 +217,7 @@ const fn property(key: &'static str, label: &'static str, code: &'static str) ->
 }
 
 form! {
-    /// The custom properties that a cycle may carry for the postprocessor. What is not set is not in the table.
+    /// Custom properties of a cycle for the postprocessor. Properties that are not set are not in the table.
     pub struct Properties {
         /// 0 global, 1 one work offset, 2 parametrical (G10), 3 local (G52).
         wcs_mode: Option<i32> = property("wcsMode", "Set WCS: mode", "CmdPrm.Int[-10]").usual(0.0, 3.0),

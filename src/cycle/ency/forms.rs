@@ -1,4 +1,4 @@
-//! The forms of the family and what they say of the feature. Two cycles share one where the same is probed from inside and from outside.
+//! The forms of the family and the dimensions that they give. Two cycles share a form if they probe the same shape from inside and from outside.
 
 use crate::cycle::ency::{
     Circle, Corner, CornerAngle, Dimensions, Outside, Pairs, Point, Shape, Side, Triple,
@@ -8,7 +8,7 @@ use crate::form::{Field, Seen, form};
 use crate::geom::Vec3;
 
 form! {
-    /// Holes and bosses, each touch entered from above.
+    /// Holes and bosses; the stylus enters from above for each touch.
     pub struct RoundProtected {
         origin: Vec3 = field::top_centre(),
         rotation: f64 = field::rotation(),
@@ -28,7 +28,7 @@ form! {
 }
 
 impl RoundProtected {
-    /// What it says of the feature; `internal` is whether the material lies around it.
+    /// Dimensions of the feature. `internal`: whether the material is outside.
     pub fn dimensions(&self, internal: bool) -> Dimensions {
         let shape = Shape::Circle(Circle {
             internal,
@@ -53,7 +53,7 @@ impl RoundProtected {
 }
 
 form! {
-    /// Rectangles, each touch entered from above.
+    /// Rectangles; the stylus enters from above for each touch.
     pub struct RectangleProtected {
         origin: Vec3 = field::top_centre(),
         rotation: f64 = field::rotation(),
@@ -74,7 +74,7 @@ form! {
 }
 
 impl RectangleProtected {
-    /// What it says of the feature; `internal` is whether the material lies around it.
+    /// Dimensions of the feature. `internal`: whether the material is outside.
     pub fn dimensions(&self, internal: bool) -> Dimensions {
         let shape = Shape::Pairs(Pairs {
             internal,
@@ -102,7 +102,7 @@ impl RectangleProtected {
 }
 
 form! {
-    /// Webs and grooves, each touch entered from above.
+    /// Webs and grooves; the stylus enters from above for each touch.
     pub struct PairProtected {
         origin: Vec3 = field::top_centre(),
         rotation: f64 = field::rotation(),
@@ -119,7 +119,7 @@ form! {
 }
 
 impl PairProtected {
-    /// What it says of the feature; `internal` is whether the material lies around it.
+    /// Dimensions of the feature. `internal`: whether the material is outside.
     pub fn dimensions(&self, internal: bool) -> Dimensions {
         let shape = Shape::Pairs(Pairs {
             internal,

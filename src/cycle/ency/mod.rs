@@ -1,8 +1,8 @@
-//! What the cycles of the ENCY / SprutCAM family share.
+//! Common part of the ENCY / SprutCAM cycles.
 //!
-//! A cycle of the family is its [`Dimensions`], of which the most is a [`Shape`]: that gives the touches, walks the documented steps,
-//! states the arithmetic of the results, and gives the surfaces. The touches may also be picked one by one, as in the Job Assignment:
-//! then everything follows from them, and the dimensions only fill the parameter table.
+//! A cycle of the family consists of its [`Dimensions`], mainly of a [`Shape`]. The shape gives the touches, plans the documented steps, states the arithmetic
+//! of the results and gives the surfaces. The touches may also be picked one by one, as in the Job Assignment. Then everything follows from the picks, and the
+//! dimensions only fill the parameter table.
 
 mod custom;
 pub mod field;
@@ -35,17 +35,17 @@ use crate::path::{
 };
 use crate::text::text;
 
-/// The form that every cycle of the family may have besides its own.
+/// Additional form of every cycle of the family.
 pub const PROPERTIES: SubForm = SubForm {
     key: "properties",
     fields: Properties::FIELDS,
     optional: true,
 };
 
-/// The field that says how far above its start a path begins and ends.
+/// Field with the height above the start at which a path begins and ends.
 const FEED_DISTANCE: &str = "cycle.feedDistance";
 
-/// What a cycle of the family is that says nothing of itself: rows of the table, no motion.
+/// Base of the family's cycles: rows of the table without motion.
 pub const BASE: CycleDef = CycleDef {
     key: "",
     title: "",
@@ -66,18 +66,18 @@ pub const BASE: CycleDef = CycleDef {
     read: |def, section| read(def, section, "", |_| Dimensions::default()),
 };
 
-/// A form with checked values, and what it says of the feature.
+/// A form with checked values and the dimensions that it gives.
 #[derive(Clone, Default)]
 pub struct Dimensions {
     /// Each field with its value, for the parameter table.
     values: Vec<(&'static Field, Shown)>,
     placed: Placed,
-    /// How far above its start the path begins and ends, mm.
+    /// Height above the start at which the path begins and ends, mm.
     feed_distance: f64,
 }
 
 impl Dimensions {
-    /// Those of a form: origin (mm), rotation (degrees) and feed distance (mm) of every cycle that moves, and the shape of its own.
+    /// Dimensions of a form with motion: origin (mm), rotation (degrees), feed distance (mm) and the shape.
     pub fn of(
         form: &dyn Values,
         (origin, rotation): (Vec3, f64),
@@ -95,7 +95,7 @@ impl Dimensions {
         }
     }
 
-    /// Those of a form that says of no place.
+    /// Dimensions of a form without a position.
     pub fn unmoving(form: &dyn Values) -> Self {
         Dimensions {
             values: form.values(),
@@ -112,7 +112,7 @@ impl Dimensions {
     }
 }
 
-/// The key in the form that a path of the job ends with.
+/// Key of a field at the end of its path in a job.
 fn key_of(path: &str) -> &str {
     path.strip_prefix("cycle.").unwrap_or(path)
 }
@@ -121,17 +121,17 @@ fn key_of(path: &str) -> &str {
 #[derive(Clone)]
 struct Ency {
     def: &'static CycleDef,
-    /// What the source calls it in the parameter table.
+    /// Name of the cycle in the source's parameter table.
     name: &'static str,
     form: Dimensions,
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
     custom: Vec<Custom>,
-    /// What the actual part's sizes make; `None` if they are nominal.
+    /// The shape with the sizes of the actual part; `None` if these are nominal.
     actual: Option<Shape>,
 }
 
-/// Makes a cycle of a form: what is known of it, what the source calls it in the parameter table, and how its dimensions are read.
+/// Reads a cycle: its definition, its name in the parameter table, and the function that reads its dimensions.
 pub fn read(
     def: &'static CycleDef,
     section: &mut Section<'_, '_>,
@@ -157,8 +157,8 @@ pub fn read(
     })
 }
 
-/// Where picked touches put a cycle, and the touches that its dimensions give there: those with a code of the source as they are, the others
-/// as the picks have them. `None` if the picks do not make one.
+/// Position of a cycle with picked touches, and the touches that its dimensions give there. Touches with a code of the source are unchanged, the others are as
+/// picked. `None` if the picks do not give a cycle.
 pub fn place(
     section: &mut Section<'_, '_>,
     dimensions: fn(&mut Section<'_, '_>) -> Dimensions,
@@ -197,7 +197,7 @@ pub fn place(
 }
 
 impl Ency {
-    /// The shape in its place, as the picks have both.
+    /// The shape at the position that the picks give.
     fn placed(&self, plane: Plane) -> Placed {
         let placed = &self.form.placed;
         self.picks
@@ -205,7 +205,7 @@ impl Ency {
             .map_or_else(|| placed.clone(), |picks| placed.shape.place(picks, plane))
     }
 
-    /// The shape with its touches: nominal, or with the actual part's sizes.
+    /// The shape with its touches: nominal, or with the sizes of the actual part.
     fn seat<'s>(&self, setup: &'s Setup) -> (Shape, Seated<'s>) {
         let nominal = self.placed(setup.plane);
         let frame = nominal.frame(setup.plane);
@@ -216,7 +216,7 @@ impl Ency {
         let shape = self.actual.clone().unwrap_or(nominal.shape);
         let mut touches = shape.touches(&frame);
         if let Some((picks, before)) = before {
-            // A picked touch goes with its wall: as far as the touch of the dimensions does.
+            // A picked touch moves with its wall, by as much as the touch that follows from the dimensions.
             for ((now, then), pick) in touches.iter_mut().zip(before).zip(picks) {
                 let vector = (pick.vector + now.1 - then.1).normalize_or(pick.vector);
                 *now = (pick.point + now.0 - then.0, vector, now.2);
@@ -245,7 +245,7 @@ impl Ency {
         )
     }
 
-    /// Reports sizes of the picks that no form may have, or that the form says otherwise.
+    /// Reports sizes from the picks that the form does not allow, or that differ from the form.
     fn compare(&self, placed: &mut Shape, checker: &mut Checker) {
         let mut given = self.form.placed.shape.clone();
         for ((path, size), (_, given)) in placed.sizes().into_iter().zip(given.sizes()) {
@@ -290,7 +290,7 @@ impl Cycle for Ency {
         }
         let mut placed = shape.place(picks, setup.plane).shape;
         self.compare(&mut placed, checker);
-        // The dimensions that the picks replace do not matter.
+        // The dimensions that the picks replace are not checked.
         if checker.is_clean(&["cycle"]) {
             placed.rules(setup, checker);
         }
@@ -326,7 +326,7 @@ impl Cycle for Ency {
     }
 
     fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter> {
-        // A cycle of our own is in no table.
+        // Our own cycles have no row in the source's table.
         if self.def.number.is_none() {
             return Vec::new();
         }
@@ -368,7 +368,7 @@ impl Cycle for Ency {
             .into_iter()
             .find(|(path, _)| key_of(path) == key)?;
         *size += delta;
-        // Walls that meet at no angle, or at a straight one, make no corner.
+        // Two walls at 0° or 180° make no corner.
         let most = if field.kind == Kind::Angle {
             180.0
         } else {
@@ -388,8 +388,8 @@ impl Cycle for Ency {
     }
 }
 
-/// A path begins and ends above the feature, and never goes higher than where it ends. Where the source knows no top side, a small feed
-/// distance is a warning.
+/// Checks the ends of a path: it begins and ends above the feature and never goes higher than its end. If the source gives no top side, a small feed distance
+/// is a warning.
 fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker) {
     const ROUNDING: f64 = 1e-6;
     let heights: Vec<f64> = path.moves.iter().map(|m| m.to.dot(path.frame.w)).collect();
@@ -397,7 +397,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
         return;
     };
     let highest = heights.iter().copied().fold(*end, f64::max);
-    // Picks that are level within the rounding of a dump are level.
+    // Picks whose heights differ only by the rounding of a dump are level.
     if highest > end + ONE_LEVEL + ROUNDING {
         let message = text!(
             "The path rises {height} above its end: one touch is too high compared with the others",
@@ -424,7 +424,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
                 checker.error("start-in-feature", FEED_DISTANCE, message);
             }
         }
-        // Our choice of what is small: the source says nothing of the wall above the touches.
+        // Our choice of a small distance: the source gives no height of the wall above the touches.
         None if feed_distance < (2.0 * setup.radius).max(5.0) - ROUNDING => {
             let message = text!(
                 "This cycle has no top side: the path begins and ends {height} above the touches, perhaps inside the feature",

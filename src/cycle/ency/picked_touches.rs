@@ -1,17 +1,17 @@
-//! Touches that are picked one by one, as in the Job Assignment.
+//! Touches picked one by one, as in the Job Assignment.
 
 use crate::form::{Checker, Field, Section, Value};
 use crate::geom::{Plane, Vec3};
 use crate::path::{MAX_TOUCHES, ONE_LEVEL};
 use crate::text::{text, words};
 
-/// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
+/// Tolerance of the length of a target vector, and of a picked touch against the values that it has to match (mm, or as a sine).
 pub const NEAR: f64 = 1e-3;
 
-/// The smallest depth that a form may have, mm.
+/// Smallest depth that a form may have, mm.
 const SMALLEST: f64 = 0.001;
 
-/// A touch that is given one by one.
+/// A picked touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
     /// On the surface, mm.
@@ -20,23 +20,23 @@ pub struct Pick {
     pub vector: Vec3,
 }
 
-/// Where picks put a feature.
+/// Position of a feature by its picks.
 #[derive(Clone, Debug)]
 pub struct Placement {
-    /// `origin` of its form, mm.
+    /// `origin` of the form, mm.
     pub origin: Vec3,
-    /// `rotation` of its form, degrees.
+    /// `rotation` of the form, degrees.
     pub rotation: f64,
-    /// Its sizes, by key: mm, degrees.
+    /// Sizes by key: mm, degrees.
     pub sizes: Vec<(&'static str, f64)>,
 }
 
-/// Where a touch may be, as a field.
+/// Position of a touch, as a field.
 pub const POINT: Field = Field::point("point", "Touch point");
-/// The most that a number of a target vector may be: its length decides whether it is a unit vector.
+/// Largest component of a target vector. Whether it is a unit vector is checked by its length.
 pub const LONGEST_VECTOR: i32 = 2;
 
-/// Reads `touches`; `None` if the job has none. Every problem is reported.
+/// Reads `touches`; `None` if the job has none. Reports every problem.
 pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
     let place = section.at("touches");
     let items = match section.get("touches")? {
@@ -97,7 +97,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
     Some(picks)
 }
 
-/// Whether the ball can come to each surface from above, and be lifted away from it.
+/// Reports surfaces that the ball cannot reach from above and leave upwards.
 pub fn none_overhangs(picks: &[Pick], plane: Plane, checker: &mut Checker) {
     for (k, _) in picks
         .iter()
@@ -115,7 +115,7 @@ pub fn none_overhangs(picks: &[Pick], plane: Plane, checker: &mut Checker) {
     }
 }
 
-/// A number of a target vector, which has no unit.
+/// A component of a target vector, without unit.
 fn component(section: &mut Section<'_, '_>, value: &Value, path: &str) -> Option<f64> {
     match *value {
         Value::Number(x) if x.abs() <= f64::from(LONGEST_VECTOR) => return Some(x),
@@ -163,7 +163,7 @@ fn triple(
     }
 }
 
-/// Whether there are as many touches as the cycle has.
+/// Checks the number of touches.
 pub fn counted(picks: &[Pick], count: usize, checker: &mut Checker) -> bool {
     if picks.len() != count {
         let message = text!(
@@ -176,7 +176,7 @@ pub fn counted(picks: &[Pick], count: usize, checker: &mut Checker) -> bool {
     picks.len() == count
 }
 
-/// Reports a vector that is not in the plane (`level`) or not along the tool axis.
+/// Reports vectors that are not in the plane (`level`) or not along the tool axis.
 pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut Checker) {
     let up = plane.basis()[2];
     for &k in touches {
@@ -195,8 +195,7 @@ pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut C
     }
 }
 
-/// Reports touches of one body that are not at one level: the ball would cross at one height, go down at another, and the top side would be
-/// known from one of them only.
+/// Reports touches of one body at different levels: the ball would cross at one height and go down at another, and only one touch would give the top side.
 pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut Checker) {
     let up = plane.basis()[2];
     let [first, rest @ ..] = touches else { return };
@@ -224,7 +223,7 @@ pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut 
     }
 }
 
-/// Reports touches that do not lie below the touch on the top side.
+/// Reports touches that are not below the touch of the top side.
 pub fn below_top(
     picks: &[Pick],
     touches: &[usize],
@@ -249,7 +248,7 @@ pub fn below_top(
     }
 }
 
-/// Reports a touch that is not straight in front of the start it is touched from: the ball would not come along the inverted vector.
+/// Reports a touch that is not straight in front of its start: the ball would not move along the inverted vector.
 pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
     for (k, pick) in picks.iter().enumerate() {
         let away = start - pick.point;
@@ -265,7 +264,7 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
     }
 }
 
-/// Reports a vector that points into the material: the sign check.
+/// Reports a vector that points into the material: a wrong sign.
 pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
     let (kind, where_to) = if internal {
         (words!("internal"), words!("into the feature"))
@@ -286,13 +285,12 @@ pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
     );
 }
 
-/// The start of a corner as each first touch and its clearance have it: reported where the readings are not one point. `farthest` is the
-/// largest of the clearances, mm.
+/// Reports a corner whose first touches and clearances give different starts. `farthest` is the largest of the clearances, mm.
 pub fn one_start(readings: &[(usize, Vec3)], farthest: f64, checker: &mut Checker) {
     let place = |p: Vec3, checker: &Checker| {
         format!("[{}]", p.to_array().map(|x| checker.number(x)).join(", "))
     };
-    // Vectors may be off by a thousandth: over the clearances that is so much.
+    // A vector may be off by a thousandth: over the clearances this is the resulting distance.
     let near = NEAR * (1.0 + 2.0 * farthest);
     if let Some((k, other)) = readings
         .iter()
@@ -309,7 +307,7 @@ pub fn one_start(readings: &[(usize, Vec3)], farthest: f64, checker: &mut Checke
     }
 }
 
-/// The angle of a direction in the plane, degrees.
+/// Angle of a direction in the plane, degrees.
 pub fn heading(plane: Plane, v: Vec3) -> f64 {
     let [a, o, _] = plane.axes();
     v[o].atan2(v[a]).to_degrees()

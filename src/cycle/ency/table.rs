@@ -1,4 +1,4 @@
-//! The parameter table, from the form's own codes.
+//! The parameter table, built from the codes of the form.
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::Properties;
@@ -6,11 +6,11 @@ use crate::form::{Field, Kind, Shown, Values};
 use crate::path::{Accessor, Parameter, ParameterValue, Setup, Subject, Touch};
 use crate::text::{Text, text};
 
-/// The code of the variant, and those that say something only of the angular one.
+/// Code of the variant, and the codes that matter only in the angular variant.
 const VARIANT: i32 = -59;
 const ANGULAR: [i32; 3] = [-60, -61, -62];
 
-/// What the codes of a parameter table are about: a title, the lowest code and the highest one. The first that fits counts.
+/// Groups of codes in a parameter table: title, lowest code and highest code. The first matching group counts.
 pub const CODE_GROUPS: [(&str, i32, i32); 6] = [
     ("System", -9, 0),
     ("Dimensions", -99, -50),
@@ -20,13 +20,13 @@ pub const CODE_GROUPS: [(&str, i32, i32); 6] = [
     ("Properties and custom codes", 1, i32::MAX),
 ];
 
-/// Whether a code may be missing with this variant.
+/// Whether a code may be missing in this variant.
 pub fn only_angular(code: i32, variant: f64) -> bool {
     variant == 0.0 && ANGULAR.contains(&code)
 }
 
-/// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
-/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance follows its touches.
+/// The rows in the order of the source's pages: type and SubCode, dimensions by falling code, touches, original touches, *Compensate dimensions*, then the
+/// custom properties that are set. The clearance of a surface comes after its touches.
 pub(super) fn table(
     (def, kind_name): (&CycleDef, &'static str),
     values: &[(&'static Field, Shown)],
@@ -90,7 +90,7 @@ pub(super) fn table(
     rows
 }
 
-/// Sorts by falling code, as forms nearly do already.
+/// Sorts by falling code; most forms are nearly in this order.
 fn falling(rows: &mut [Parameter]) {
     for end in 1..rows.len() {
         let mut at = end;
@@ -110,7 +110,7 @@ pub fn code_of(field: &Field) -> Option<(Accessor, i32)> {
     Some((accessor, rest.strip_suffix(']')?.parse().ok()?))
 }
 
-/// A field as a row; `None` if it has no code, or is not set.
+/// A field as a row; `None` if it has no code or is not set.
 fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> {
     let (accessor, code) = code_of(field)?;
     let (value, type_name) = match value {
@@ -118,7 +118,7 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
         Shown::Number(x) => (ParameterValue::Length(x), "Double"),
         Shown::Whole(n) => (ParameterValue::Whole(n), "Integer"),
         Shown::Flag(on) if accessor == Accessor::Bol => (ParameterValue::Flag(on), "Boolean"),
-        // Written with the Flt accessor and the type Integer, as the source's tables do.
+        // Flt accessor and type Integer, as in the source's tables.
         Shown::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
         Shown::Nothing => return None,
     };
@@ -143,9 +143,8 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
     })
 }
 
-/// The blocks from −100 (used by the cycle) and from −200 (as given in the Job Assignment), six codes a touch. `shift` moves the
-/// used points along their vectors: the ball radius where dimensions are compensated. Our reading: the source only says
-/// "toolpath shift with tool compensation".
+/// The blocks from −100 (used by the cycle) and from −200 (as given in the Job Assignment), six codes for each touch. `shift` moves the used points along their
+/// vectors, by the ball radius if dimensions are compensated [I]: the source only says "toolpath shift with tool compensation".
 fn push_touches(
     rows: &mut Vec<Parameter>,
     touches: &[Touch],

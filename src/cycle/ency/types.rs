@@ -1,10 +1,10 @@
-//! The cycles of the family, one row each. Their fields are in [`forms`].
+//! The cycles of the family, one row each. [`forms`] has their fields.
 
 use crate::cycle::ency::{self, Dimensions, forms, words};
 use crate::cycle::{CycleDef, REPEAT};
 use crate::path::{MAX_TOUCHES, Subject};
 
-/// What every cycle of the source has: its number there, what its parameter table calls it, and how its dimensions are read.
+/// Builds the row of a cycle: its number in the source, its name in the parameter table, and the function that reads its dimensions.
 macro_rules! row {
     ($number:literal, $name:literal, $dimensions:expr) => {
         CycleDef {
@@ -87,7 +87,7 @@ pub static SURFACE: CycleDef = CycleDef {
     .dimensions())
 };
 
-/// All touches from the centre, which the ball enters from above or goes to straight away.
+/// All touches from the centre. The ball enters from above or moves there directly.
 pub static HOLE: CycleDef = CycleDef {
     key: "hole",
     title: "Hole",
@@ -113,7 +113,7 @@ pub static HOLE: CycleDef = CycleDef {
         .dimensions())
 };
 
-/// Each touch is entered from above, so that an island in the middle is not met.
+/// The stylus enters from above for each touch, so that it does not hit an island in the middle.
 pub static HOLE_PROTECTED: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
@@ -154,7 +154,7 @@ pub static BOSS: CycleDef = CycleDef {
     .dimensions(false))
 };
 
-/// Four touches from the centre, one a wall.
+/// Four touches from the centre, one on each wall.
 pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
     key: "internal-rectangle",
     title: "Internal rectangle",
@@ -179,7 +179,7 @@ pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
     })
 };
 
-/// Four touches from inside, one a wall, each entered from above, so that an island in the middle is not met.
+/// Four touches from inside, one on each wall. The stylus enters from above for each of them, so that it does not hit an island in the middle.
 pub static INTERNAL_RECTANGLE_PROTECTED: CycleDef = CycleDef {
     key: "internal-rectangle-protected",
     title: "Internal rectangle, protected",
@@ -207,7 +207,7 @@ pub static INTERNAL_RECTANGLE_PROTECTED: CycleDef = CycleDef {
     })
 };
 
-/// A block, touched from outside, one touch a wall.
+/// A block, touched from outside, one touch on each wall.
 pub static EXTERNAL_RECTANGLE: CycleDef = CycleDef {
     key: "external-rectangle",
     title: "External rectangle",
@@ -330,7 +330,7 @@ pub static GROOVE: CycleDef = CycleDef {
         .dimensions())
 };
 
-/// Both walls of a groove, each touch entered from above.
+/// Both walls of a groove; the stylus enters from above for each touch.
 pub static GROOVE_PROTECTED: CycleDef = CycleDef {
     key: "groove-protected",
     title: "Groove, protected",
@@ -358,8 +358,8 @@ pub static GROOVE_PROTECTED: CycleDef = CycleDef {
     })
 };
 
-/// Both walls of an inside corner, each touched once or more, from one start point inside. Between the first and the last move everything stays at the
-/// level of the touches.
+/// Both walls of an inside corner, each touched once or more, from one start inside. From the first to the last move the ball stays at the level of the
+/// touches.
 pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
     key: "double-wall-internal-corner",
     title: "Double wall internal corner",
@@ -396,7 +396,7 @@ pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
     })
 };
 
-/// Both walls of an outside corner, each touched once or more, from one start point outside.
+/// Both walls of an outside corner, each touched once or more, from one start outside.
 pub static DOUBLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
     key: "double-wall-external-corner",
     title: "Double wall external corner",
@@ -435,7 +435,7 @@ pub static DOUBLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
     })
 };
 
-/// Two walls and the floor of a pocket, each touched once from one start point inside.
+/// Two walls and the floor of a pocket, each touched once from one start inside.
 pub static TRIPLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
     key: "triple-wall-internal-corner",
     title: "Triple wall internal corner",
@@ -500,7 +500,7 @@ pub static TRIPLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
     })
 };
 
-/// Two touches of one wall, which ENCY's family has as a part of its corners only.
+/// Two touches of one wall. ENCY's family has them only as a part of its corners.
 pub static WALL_ANGLE: CycleDef = CycleDef {
     key: "wall-angle",
     title: "Angle of a wall",

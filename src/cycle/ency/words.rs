@@ -1,6 +1,6 @@
-//! What the manual says of several cycles: steps they share, and what is our reading.
+//! Texts of the manual that several cycles share: steps and interpretations.
 
-/// The documented steps of a protected cycle: where its start is, and how often steps 2 to 6 are made.
+/// Documented steps of a protected cycle, with its start and the repetition of steps 2 to 6.
 pub const fn protected(start: &'static str, again: &'static str) -> [&'static str; 8] {
     [
         start,
@@ -14,7 +14,7 @@ pub const fn protected(start: &'static str, again: &'static str) -> [&'static st
     ]
 }
 
-/// The documented steps of a cycle that touches from the centre.
+/// Documented steps of a cycle that touches from the centre.
 pub const FROM_CENTRE: &[&str] = &[
     "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
     "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",
@@ -66,7 +66,7 @@ pub const LINES: &str = "A wall with two touches or more is the line of total le
 pub const TURN: &str = "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.";
 pub const PLANES: &str = "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.";
 
-/// What is our reading of holes and bosses, each touch entered from above.
+/// Our interpretation of protected holes and bosses.
 pub const ROUND_PROTECTED: &[&str] = &[
     HEIGHTS,
     NORMAL,

@@ -1,8 +1,7 @@
 //! Corners of two walls, each touched once or more.
 //!
-//! In the frame (u, v) wall 1 runs from the corner along +v, wall 2 along (sin A, cos A), A being the angle between them: inside
-//! an internal corner, in the material of an external one. Picked touches may name the walls the other way round: then all is
-//! mirrored at the u axis.
+//! In the frame (u, v) wall 1 runs from the corner along +v, wall 2 along (sin A, cos A). A is the angle between them: inside an internal corner, in the
+//! material of an external one. Picked touches may name the walls in the opposite order; then the corner is mirrored at the u axis.
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
@@ -30,17 +29,17 @@ pub const WALLS: [Touched; 2] = [
     },
 ];
 
-/// The angle between two walls: inside an internal corner, in the material of an external one.
+/// Angle between two walls: inside an internal corner, in the material of an external one.
 #[derive(Clone, Copy, Debug)]
 pub struct CornerAngle {
     /// Degrees, above 0 and below 180.
     pub degrees: f64,
-    /// Whether the walls are named the other way round.
+    /// Whether the walls are named in the opposite order.
     pub mirrored: bool,
 }
 
 impl CornerAngle {
-    /// As a form says it.
+    /// The angle of a form.
     pub fn of(degrees: f64) -> Self {
         CornerAngle {
             degrees,
@@ -58,10 +57,10 @@ impl CornerAngle {
     }
 }
 
-/// A corner of two walls. Indices are those of the walls.
+/// A corner of two walls. Arrays are indexed by wall.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
-    /// Whether the material lies around it.
+    /// Whether the material is outside the corner.
     pub internal: bool,
     pub angle: CornerAngle,
     /// From the wall to the ball centre where its touches begin, mm.
@@ -70,7 +69,7 @@ pub struct Corner {
     pub counts: [usize; 2],
     /// From touch to touch, mm.
     pub steps: [f64; 2],
-    /// From the corner to the first touch, mm; `None` if it is the foot of the start.
+    /// From the corner to the first touch, mm; `None` if the first touch is opposite to the start.
     pub distances: Option<[f64; 2]>,
 }
 
@@ -85,9 +84,8 @@ pub struct Side {
     pub first: f64,
 }
 
-/// The directions of the two walls, and the start: `clearances` from both. With wall 1 on the v axis that is, inside,
-/// u = c1, v = (c2 + c1·cos A) / sin A; by symmetry its foot on wall 2 is (c1 + c2·cos A) / sin A from the corner. Outside it is
-/// the same point on the other side of the corner.
+/// Directions of the two walls and the start at `clearances` from both. With wall 1 on the v axis the start of an inside corner is u = c1, v = (c2 + c1·cos A)
+/// / sin A. By symmetry its foot on wall 2 is (c1 + c2·cos A) / sin A from the corner. For an outside corner the start is mirrored at the corner.
 pub fn walls(
     internal: bool,
     angle: CornerAngle,
@@ -115,9 +113,9 @@ pub fn walls(
     (sides, (c1 * side, feet[0] * side))
 }
 
-/// The direction along a wall, away from the corner, from its outward normal.
+/// Direction along a wall, away from the corner, from its outward normal.
 fn along(internal: bool, mirrored: bool, wall: usize, normal: (f64, f64)) -> (f64, f64) {
-    // Counter-clockwise from the normal of wall 1 inside, clockwise from that of wall 2; outside, and mirrored, the other way round.
+    // Inside: counter-clockwise from the normal of wall 1, clockwise from that of wall 2. Outside or mirrored: the opposite.
     if (internal == (wall == 0)) != mirrored {
         (-normal.1, normal.0)
     } else {
@@ -125,7 +123,7 @@ fn along(internal: bool, mirrored: bool, wall: usize, normal: (f64, f64)) -> (f6
     }
 }
 
-/// The corner's direction (degrees) and angle from the normals of its walls.
+/// Direction (degrees) and angle of a corner from the normals of its walls.
 pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, CornerAngle) {
     let side = if internal { 1.0 } else { -1.0 };
     let [n1, n2] = normals.map(|n| {
@@ -133,7 +131,7 @@ pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, C
         (a * side, o * side)
     });
     let rotation = n1.1.atan2(n1.0).to_degrees();
-    // n2 = (−cos A, sin A) with n1 as the first direction.
+    // n2 = (−cos A, sin A) if n1 is the first direction.
     let (x, y) = (n2.0 * n1.0 + n2.1 * n1.1, n2.1 * n1.0 - n2.0 * n1.1);
     let degrees = y.atan2(-x).to_degrees();
     (
@@ -145,7 +143,7 @@ pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, C
     )
 }
 
-/// Where two walls meet, at the level of the first touch.
+/// Intersection of two walls at the level of the first touch.
 pub fn meeting(plane: Plane, one: &Pick, two: &Pick) -> Option<Vec3> {
     let [a, o, _] = plane.axes();
     let ((a1, o1), (a2, o2)) = (flat(plane, one.vector), flat(plane, two.vector));
@@ -160,7 +158,7 @@ pub fn meeting(plane: Plane, one: &Pick, two: &Pick) -> Option<Vec3> {
     Some(corner)
 }
 
-/// Reports walls that lie on the wrong side of each other: inside a corner each is in front of the other, outside behind it.
+/// Reports walls on the wrong side of each other: each is in front of the other inside a corner, behind it outside.
 pub fn sides_rule(internal: bool, firsts: &[(usize, Pick)], checker: &mut Checker) {
     for (k, pick) in firsts {
         let wrong = firsts.iter().filter(|(j, _)| j != k).any(|(_, other)| {
@@ -179,7 +177,7 @@ impl Corner {
         if let Some([first, second]) = &mut self.distances {
             sizes.extend([("cycle.distance1", first), ("cycle.distance2", second)]);
         }
-        // One touch has no step.
+        // A single touch has no step.
         let steps = ["cycle.step1", "cycle.step2"]
             .into_iter()
             .zip(&mut self.steps);
@@ -258,8 +256,8 @@ impl Probed for Corner {
         if !self.internal || !checker.is_clean(&paths) {
             return;
         }
-        // The first touch of a wall has its foot `first` from the corner, and the ball in contact there is
-        // c_other + (c − r)·cos A from the other wall.
+        // The first touch of a wall is opposite to a point at `first` from the corner. The ball in contact there is c_other + (c − r)·cos A from the other
+        // wall.
         let cos = self.angle.signed().to_radians().cos();
         let (sides, _) = self.sides();
         for (n, other) in [(0, 1), (1, 0)] {
@@ -305,7 +303,7 @@ impl Probed for Corner {
         for (k, pick) in picks.iter().enumerate() {
             let first = &picks[firsts[self.wall_of(k)]];
             let away = pick.point - first.point;
-            // A vector may be off by a thousandth: over a distance that is so much.
+            // A vector may be off by a thousandth: over a distance this is the resulting offset.
             let off = away.dot(first.vector).abs();
             let same = (pick.vector - first.vector).length() <= 2.0 * NEAR
                 && off <= NEAR * (1.0 + 2.0 * away.length());
@@ -419,8 +417,8 @@ impl Probed for Corner {
         lift(on, tracer, start, 10);
     }
 
-    /// Each wall is a line: through the mean of the ball centres, along their total-least-squares direction where there are two or
-    /// more, else along the nominal one; then offset by the ball radius along its own normal. The corner is where they meet.
+    /// Each wall is a line through the mean of the ball centres, along their total-least-squares direction if there are two or more touches, else along the
+    /// nominal direction; then it is offset by the ball radius along its normal. The corner is the intersection.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let plane = on.setup.plane;
         let [a, o, _] = plane.axes();
@@ -447,8 +445,8 @@ impl Probed for Corner {
         let y = (two.offset * one.normal.0 - one.offset * two.normal.0) / det;
         let x = f.set("corner_x", x);
         let y = f.set("corner_y", y);
-        // A positive tilt turns a wall towards its free side: inside, both make the angle smaller, outside larger. Inside, wall 1 has
-        // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
+        // A positive tilt rotates a wall towards its free side: both make the angle smaller inside, larger outside. Inside, wall 1 has its free side to the
+        // right of its direction and rotates clockwise; outside or mirrored, the opposite.
         let tilts = one.tilt.zip(two.tilt);
         let clockwise = self.internal != self.angle.mirrored;
         let rotation = one.tilt.map(|tilt| {
@@ -564,7 +562,7 @@ impl Probed for Corner {
     }
 }
 
-/// A wall's touches and its nominal directions in the plane.
+/// The touches of a wall and its nominal directions in the plane.
 struct Line {
     number: usize,
     first: usize,
@@ -577,9 +575,9 @@ struct Line {
 struct FittedWall<'f> {
     normal: (Expr<'f>, Expr<'f>),
     offset: Value<'f>,
-    /// Its direction against the nominal one in (along, normal), degrees.
+    /// Angle of its direction from nominal in (along, normal), degrees.
     tilt: Option<Value<'f>>,
-    /// The root mean square distance of its touches from it, where there are more than two.
+    /// Root mean square distance of the touches from the wall, if there are more than two.
     residual: Option<Value<'f>>,
 }
 
@@ -649,7 +647,7 @@ impl Line {
         }
     }
 
-    /// The scatter of the places about their mean.
+    /// Scatter of positions about their mean.
     fn scatter<'f>(
         &self,
         f: &'f Draft,
@@ -676,7 +674,7 @@ impl Line {
     }
 }
 
-/// The sums of squares and products of places along and across a wall, about their mean.
+/// Sums of squares and products of positions along and across a wall, about their mean.
 #[derive(Clone, Copy)]
 struct Scatter<'f> {
     ss: Expr<'f>,
@@ -685,16 +683,16 @@ struct Scatter<'f> {
 }
 
 impl<'f> Scatter<'f> {
-    /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).
+    /// Angle from nominal of the direction with the largest scatter: tan 2t = 2·Ssh / (Sss − Shh).
     fn direction(self, f: &'f Draft) -> Expr<'f> {
         (f.number(2.0) * self.sh).atan2(self.ss - self.hh) / f.number(2.0)
     }
 
-    /// The root mean square distance from the line in a direction: a place is h·cos t − s·sin t off it.
+    /// Root mean square distance from the line in a direction: the distance of a position is h·cos t − s·sin t.
     fn residual(self, f: &'f Draft, (sin, cos): (Value<'f>, Value<'f>), count: usize) -> Expr<'f> {
         let square =
             self.hh * cos * cos - f.number(2.0) * self.sh * sin * cos + self.ss * sin * sin;
-        // Rounding may leave less than nothing of it.
+        // Rounding may make it negative.
         (square.abs() / f.number(count as f64)).sqrt()
     }
 }

@@ -1,4 +1,4 @@
-//! What dimensions make: opposite walls, a circle, a corner of two walls or three, a wall, a point; and the steps and rules that these share.
+//! Shapes of features: opposite walls, circle, corner of two or three walls, wall, point; with the steps and rules that they share.
 
 mod corner;
 mod pairs;
@@ -24,10 +24,10 @@ use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
 use crate::text::{Text, text};
 
-/// A feature with its dimensions, and how it is probed.
+/// A feature with its dimensions and its kind of probing.
 #[derive(Clone, Debug, Default)]
 pub enum Shape {
-    /// Nothing is touched, nothing moves.
+    /// No touch and no move.
     #[default]
     Unmoving,
     /// A point of a surface.
@@ -45,7 +45,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The sizes that picked touches give, by the paths of their fields: mm, degrees.
+    /// Sizes that picked touches give, by the paths of their fields: mm, degrees.
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
         match self {
             Shape::Unmoving => Vec::new(),
@@ -75,46 +75,46 @@ impl std::ops::Deref for Shape {
     }
 }
 
-/// What every shape does.
+/// Operations of every shape.
 pub trait Probed {
-    /// The touches that the dimensions give: point, target vector, group.
+    /// Touches from the dimensions: point, target vector, index of the surface.
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)>;
 
-    /// What a touch is called in the parameter table.
+    /// Name of a touch in the parameter table.
     fn name(&self, k: usize) -> Text;
 
-    /// Reports dimensions that do not go together.
+    /// Reports dimensions that contradict each other.
     fn rules(&self, setup: &Setup, checker: &mut Checker);
 
-    /// Reports what is wrong with picked touches.
+    /// Reports faults of picked touches.
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker);
 
-    /// The shape as sound picks have it, where they put it.
+    /// The shape with the sizes and the position that valid picks give.
     fn place(&self, picks: &[Pick], plane: Plane) -> Placed;
 
-    /// Walks the documented steps.
+    /// Plans the documented steps.
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer);
 
-    /// What the control computes.
+    /// The results that the control computes.
     fn formula(&self, on: &Seated<'_>) -> Formula;
 
-    /// The surfaces, one a group.
+    /// The surfaces, one for each group of touches.
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
 
     fn feature(&self) -> Feature;
 
-    /// Height of the top side along the tool axis, mm, where the source has one.
+    /// Height of the top side along the tool axis, mm, if the source has one.
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {
         None
     }
 
-    /// Why the control's value of this result is off on a turned part, where it is.
+    /// Reason why the control's value of this result is wrong on a rotated part, if it is.
     fn turned_error(&self, _code: &str) -> Option<&'static str> {
         None
     }
 }
 
-/// A shape, and where its form or its picks put it.
+/// A shape at the position that its form or its picks give.
 #[derive(Clone, Debug, Default)]
 pub struct Placed {
     /// `origin` of the form, mm.
@@ -125,37 +125,37 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// The frame of its dimensions.
+    /// Frame of its dimensions.
     pub fn frame(&self, plane: Plane) -> Frame {
         Frame::new(plane, self.origin, self.rotation.to_radians())
     }
 }
 
-/// The touches of a shape, and what is around them.
+/// The touches of a shape with the settings of the job.
 #[derive(Debug)]
 pub struct Seated<'a> {
     /// The frame of the shape's dimensions.
     pub frame: Frame,
     pub touches: Vec<Touch>,
-    /// The job around it.
+    /// Settings of the job.
     pub setup: &'a Setup,
-    /// How far above its start the path begins and ends, mm.
+    /// Height above the start at which the path begins and ends, mm.
     pub feed_distance: f64,
 }
 
-/// To the feed distance above the start, and down to it.
+/// To the feed distance above the start, then down to the start.
 pub fn begin(on: &Seated<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
     tracer.position(start + on.frame.w * on.feed_distance, Feed::Approach, step);
     tracer.position(start, Feed::Approach, step);
 }
 
-/// Up by the feed distance, at the end.
+/// Up by the feed distance at the end.
 pub fn lift(on: &Seated<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
     tracer.position(start + on.frame.w * on.feed_distance, Feed::Return, step);
 }
 
-/// The documented steps 2 to 6 of a protected cycle: over the place in front of the touch at the height of the start, down, touch
-/// and back, up, back to the start.
+/// Documented steps 2 to 6 of a protected cycle: across to a point in front of the touch at the height of the start, down, touch and retract, up, back to the
+/// start.
 pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, clearance: f64) {
     let touch = &on.touches[k];
     let approach = touch.point + touch.vector * clearance;
@@ -167,8 +167,7 @@ pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, cl
     tracer.position(start, Feed::LongLink, 6);
 }
 
-/// The documented steps of a cycle that touches from the middle: in from above where the top clearance is checked, all touches
-/// from there, and out.
+/// Documented steps of a cycle that touches from the middle: in from above if the top clearance is checked, all touches from there, and out.
 pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>) {
     let start = on.frame.point(0.0, 0.0, -depth);
     match top {
@@ -186,7 +185,7 @@ pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option
     lift(on, tracer, out, 5);
 }
 
-/// A component of a direction in the plane, as a formula multiplies with it.
+/// A component of a direction in the plane, as a factor in a formula.
 pub fn constant(f: &Draft, x: f64) -> Expr<'_> {
     f.number(crate::num::tidy(x))
 }
@@ -197,8 +196,7 @@ pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
     (v[a], v[o])
 }
 
-/// A clearance must be larger than the ball radius, or the ball touches before it sets out. Lengths are from the surface
-/// to the ball centre.
+/// A clearance must be larger than the ball radius, or the ball is in contact before the touch. Lengths are from the surface to the ball centre.
 pub fn clearance_rule(
     checker: &mut Checker,
     setup: &Setup,
@@ -220,7 +218,7 @@ pub fn clearance_rule(
     }
 }
 
-/// No more touches than the parameter table can hold.
+/// Checks that the parameter table can hold all touches.
 pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
     if count > MAX_TOUCHES {
         let message = text!(
@@ -235,7 +233,7 @@ pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
     }
 }
 
-/// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself is in the way.
+/// Checks for touches above the middle of the ball and for crossings that are too low. `outside`: whether the part itself is in the way.
 pub fn level_rules(
     checker: &mut Checker,
     setup: &Setup,

@@ -22,19 +22,19 @@ pub struct Side {
     pub clearance: Option<f64>,
 }
 
-/// What the form calls a pair of walls: label and path of each field.
+/// Labels and paths of the fields of a pair of walls.
 struct Names {
     width: (&'static str, &'static str),
     clearance: (&'static str, &'static str),
 }
 
-/// Of a single pair.
+/// Names of a single pair.
 const ONE: [Names; 1] = [Names {
     width: ("Width", "cycle.width"),
     clearance: ("Side clearance", "cycle.sideClearance"),
 }];
 
-/// Of the two of a rectangle.
+/// Names of the two pairs of a rectangle.
 const TWO: [Names; 2] = [
     Names {
         width: ("Width 1", "cycle.width1"),
@@ -49,14 +49,14 @@ const TWO: [Names; 2] = [
 /// One or two pairs of walls, the first along the first direction of the frame.
 #[derive(Clone, Debug)]
 pub struct Pairs {
-    /// Whether the material lies around it.
+    /// Whether the material is outside the walls.
     pub internal: bool,
     pub sides: Vec<Side>,
     /// From the top side down to the touches, mm.
     pub depth: f64,
-    /// How far above the top side the ball crosses, or goes in; none is not checked.
+    /// Height above the top side at which the ball crosses or enters; `None` is not checked.
     pub top: Option<f64>,
-    /// A third touch on the middle of the top, from this clearance: a web with three points.
+    /// Clearance of a third touch on the middle of the top: a web with three points.
     pub middle: Option<f64>,
 }
 
@@ -90,18 +90,18 @@ impl Pairs {
         self.sides[0].clearance.is_some()
     }
 
-    /// How far above the top side the ball crosses. Where the middle is touched, that is at its clearance, which has a rule of its own.
+    /// Height above the top side at which the ball crosses. If the middle is touched, this is its clearance, which has its own rule.
     fn crossing(&self) -> Option<f64> {
         self.top
             .filter(|_| self.protected() && self.middle.is_none())
     }
 
-    /// 1 where walls face outwards, −1 where they face the middle.
+    /// 1 for walls that face outwards, −1 for walls that face the middle.
     fn sign(&self) -> f64 {
         if self.internal { -1.0 } else { 1.0 }
     }
 
-    /// Outward directions of the walls. The left touch of a web with three points is the one against the first direction.
+    /// Outward directions of the walls. The left touch of a web with three points is against the first direction.
     fn directions(&self) -> [(f64, f64); 4] {
         if self.middle.is_some() {
             [(-1.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
@@ -245,7 +245,7 @@ impl Probed for Pairs {
             let other = (picks[2].point + picks[3].point) / 2.0;
             origin += across * (other - origin).dot(across);
         }
-        // The top side: above the first touch by the depth, or where it is touched itself.
+        // The top side: above the first touch by the depth, or at its own touch.
         let level = if self.middle.is_some() {
             picks[2].point.dot(up)
         } else {
@@ -296,8 +296,8 @@ impl Probed for Pairs {
         lift(on, tracer, start, last);
     }
 
-    /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A
-    /// single pair does not measure the position along its walls: the nominal one is used.
+    /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A single pair does not measure the
+    /// position along its walls: the nominal position is used.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let plane = on.setup.plane;
         let [a, o, w] = plane.axes();
@@ -419,9 +419,9 @@ impl Probed for Pairs {
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
         let widths: Vec<f64> = self.sides.iter().map(|s| s.width).collect();
-        // A single pair is drawn long enough to be seen.
+        // A single pair is drawn long enough to be visible.
         let half = crate::num::within(widths[0] / 2.0, 10.0, 40.0);
-        // A wall of a rectangle goes from one wall of the other pair to the other one, at any touch point.
+        // A wall of a rectangle extends between the walls of the other pair, at any touch point.
         let reach = |touch: &Touch, along: Vec3, k: usize| {
             let meets = |other: &Touch| {
                 (other.point - touch.point).dot(other.vector) / along.dot(other.vector)

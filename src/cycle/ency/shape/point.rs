@@ -10,7 +10,7 @@ use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
 
-/// The field of the target vector's elevation.
+/// Field with the elevation of the target vector.
 const ELEVATION: &str = "cycle.elevation";
 
 /// A surface, touched once.
@@ -18,7 +18,7 @@ const ELEVATION: &str = "cycle.elevation";
 pub struct Point {
     /// From the surface to the ball centre where the touch begins, mm.
     pub clearance: f64,
-    /// How steeply the target vector points up from the plane, degrees: 90 is a top side, 0 a wall.
+    /// Elevation of the target vector above the plane, degrees: 90 is a top side, 0 a wall.
     pub elevation: f64,
 }
 
@@ -86,7 +86,7 @@ impl Probed for Point {
         lift(on, tracer, start, 4);
     }
 
-    /// The nominal point, moved along the target vector by its displacement. Across it nothing is measured.
+    /// The nominal point, shifted along the target vector by the measured displacement. Nothing is measured across the vector.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let axes = on.setup.plane.axes();
         let touch = &on.touches[0];
@@ -157,7 +157,7 @@ impl Probed for Point {
         })]
     }
 
-    /// A top side is its own top; of a wall or a slope the source knows none.
+    /// A top side is its own top; the source gives no top of a wall or a slope.
     fn feature(&self) -> Feature {
         Feature::Surface(path::Point {
             clearance: "cycle.clearance",

@@ -12,20 +12,20 @@ use crate::text::{Text, text, words};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Variant {
-    /// Four, each pair opposite, the second a quarter turn counter-clockwise from the first.
+    /// Four touches: two opposite pairs, the second a quarter turn counter-clockwise from the first.
     Rectangular,
-    /// From an angle on, step by step (degrees, counter-clockwise), so many.
+    /// A number of touches from a start angle on, with a step (degrees, counter-clockwise).
     Angular {
-        /// Of the first touch, from the abscissa.
+        /// Angle of the first touch from the abscissa.
         start: f64,
-        /// From each touch to the next.
+        /// Angle from each touch to the next.
         step: f64,
         count: usize,
     },
 }
 
 impl Variant {
-    /// By the form's number of the variant.
+    /// By the number of the variant in the form.
     pub fn of(number: i32, start: f64, step: f64, count: i32) -> Self {
         match number {
             0 => Variant::Rectangular,
@@ -43,12 +43,12 @@ impl Variant {
 pub struct Circle {
     /// Whether it is a hole.
     pub internal: bool,
-    /// mm.
+    /// In mm.
     pub diameter: f64,
     pub variant: Variant,
     /// From the top side down to the touches, mm.
     pub depth: f64,
-    /// How far above the top side the ball crosses, or goes in; none is not checked.
+    /// Height above the top side at which the ball crosses or enters; `None` is not checked.
     pub top: Option<f64>,
     /// From the surface to the ball centre where a touch begins; `None` if touches begin in the middle.
     pub clearance: Option<f64>,
@@ -80,7 +80,7 @@ impl Circle {
     }
 }
 
-/// Whether these outward directions are those of at least three separate touches: fewer give no circle.
+/// Whether these outward directions belong to at least three separate touches: fewer give no circle.
 fn gives_circle(directions: impl Iterator<Item = Vec3>) -> bool {
     let mut apart: Vec<Vec3> = Vec::new();
     for direction in directions {
@@ -197,7 +197,7 @@ impl Probed for Circle {
                 return;
             }
         }
-        // Wrong signs first: the centre is a guess of the points alone where there are three or more.
+        // Signs are checked first: with three or more touches the centre follows from the points alone.
         let center = self.center(picks, plane);
         for (k, pick) in picks.iter().enumerate() {
             let mut out = pick.point - center;
@@ -243,7 +243,7 @@ impl Probed for Circle {
             ..*self
         };
         if let (Variant::Angular { step, .. }, [first, second, ..]) = (&mut circle.variant, picks) {
-            // Of the angles that mean the same direction, the one the form means.
+            // Of the equivalent angles of the direction, the one closest to the form's value.
             let turn = picked_touches::heading(plane, second.vector)
                 - picked_touches::heading(plane, first.vector);
             *step += crate::num::wrap_degrees(turn - *step);
@@ -267,7 +267,7 @@ impl Probed for Circle {
         lift(on, tracer, start, 8);
     }
 
-    /// A circle of least squares through the ball centres, larger (in a hole) or smaller (at a boss) by the ball radius.
+    /// Least-squares circle through the ball centres, larger by the ball radius in a hole, smaller at a boss.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let [a, o, _] = on.setup.plane.axes();
         let origin = on.frame.origin;
@@ -348,8 +348,7 @@ impl Probed for Circle {
 }
 
 impl Circle {
-    /// The centre, at the level of the first touch: of opposite touches their middle, of three or more the fitted one, else by the
-    /// diameter along the first vector.
+    /// Centre at the level of the first touch: the middle of opposite touches, the fitted centre of three or more, else by the diameter along the first vector.
     fn center(&self, picks: &[Pick], plane: Plane) -> Vec3 {
         let [a, o, _] = plane.axes();
         let mut center = picks[0].point - picks[0].vector * (self.sign() * self.diameter / 2.0);

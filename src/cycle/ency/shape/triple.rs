@@ -1,4 +1,4 @@
-//! Corners of three walls, each touched once: a plane each, in any direction of space.
+//! Corners of three walls, each touched once: one plane each, in any direction of space.
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::corner::{self, ANGLE, CornerAngle, WALLS, sides_rule};
@@ -14,15 +14,15 @@ use crate::text::{Text, text, words};
 /// A corner of two walls and a floor, or of two walls and a top side.
 #[derive(Clone, Copy, Debug)]
 pub struct Triple {
-    /// Between the first two walls.
+    /// Angle between the first two walls.
     pub angle: CornerAngle,
     /// From each surface to the ball centre where its touch begins, mm.
     pub clearances: [f64; 3],
-    /// What an external corner has besides; none is an internal one.
+    /// Additional dimensions of an external corner; `None` is an internal corner.
     pub outside: Option<Outside>,
 }
 
-/// Where an external corner is touched.
+/// Touch positions of an external corner.
 #[derive(Clone, Copy, Debug)]
 pub struct Outside {
     /// From the top side down to the touches of the walls, mm.
@@ -68,7 +68,7 @@ impl Triple {
         )
     }
 
-    /// Where the planes of three touches meet.
+    /// Intersection of the planes of three touches.
     fn meeting(picks: &[Pick]) -> Option<Vec3> {
         let n = [0, 1, 2].map(|k| picks[k].vector);
         let det = n[0].dot(n[1].cross(n[2]));
@@ -102,7 +102,7 @@ impl Probed for Triple {
                         (point, normals[k], k)
                     })
                     .collect();
-                // So far behind both walls: the start of an internal corner with these clearances.
+                // Behind both walls by these distances: the start of an internal corner with these clearances.
                 let (_, (u, v)) = corner::walls(true, self.angle, outside.inwards, None);
                 touches.push((frame.point(u, v, 0.0), frame.w, 2));
                 touches
@@ -260,8 +260,8 @@ impl Probed for Triple {
         lift(on, tracer, start, last);
     }
 
-    /// Each surface keeps its nominal direction n and is put a ball radius behind its trigger: n·p = q. The corner is where the
-    /// three planes meet: Σ q·(the cross product of the other two normals) over their triple product.
+    /// Each surface keeps its nominal direction n and is one ball radius behind its trigger: n·p = q. The corner is the intersection of the three planes: Σ
+    /// q·(cross product of the other two normals) / triple product of the normals.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let axes = on.setup.plane.axes();
         let n = [0, 1, 2].map(|k| on.touches[k].vector);
@@ -318,7 +318,7 @@ impl Probed for Triple {
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
         let margin = 3.0 * on.setup.radius.max(2.0);
         let (sides, _) = self.walls();
-        // All as long: they meet at their ends.
+        // All surfaces get the same length, so that they meet at their ends.
         let length = on
             .touches
             .iter()
@@ -332,7 +332,7 @@ impl Probed for Triple {
                 let level = k == 2;
                 let [one, two] = sides.map(|s| on.frame.direction(s.along.0, s.along.1));
                 let along = if k == 0 { one } else { two };
-                // Drawn through the corner, but met where the touch says.
+                // Drawn through the corner; contacts are found at the touch.
                 let origin = on.frame.origin;
                 let mut point = origin + touch.vector * (touch.point - origin).dot(touch.vector);
                 let mut drawn_depth = self.outside.map_or(self.clearances[2], |o| o.depth) + margin;
@@ -341,7 +341,7 @@ impl Probed for Triple {
                     drawn_depth = length / 2.0;
                     point += (one - touch.vector * one.dot(touch.vector)) * drawn_depth;
                 } else if self.internal() {
-                    // So is a wall without a top: it ends where it meets the floor.
+                    // A wall without a top ends at the floor.
                     let across = touch.vector.cross(along).normalize_or(on.frame.w);
                     point += across
                         * (drawn_depth

@@ -8,7 +8,7 @@ use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Setup, Surface, Tracer};
 use crate::text::Text;
 
-/// Nothing is touched, nothing moves.
+/// No touch and no move.
 pub struct Unmoving;
 
 impl Probed for Unmoving {

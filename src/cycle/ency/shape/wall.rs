@@ -25,7 +25,7 @@ impl TwoTouches {
         Vec::new()
     }
 
-    /// Where the touches are along the wall, from its middle: the second one counter-clockwise from the target vector.
+    /// Positions of the touches along the wall, from its middle: the second one counter-clockwise from the target vector.
     fn places(&self) -> [f64; 2] {
         [-self.distance / 2.0, self.distance / 2.0]
     }
@@ -54,7 +54,7 @@ impl Probed for TwoTouches {
         picked_touches::counted(picks, 2, checker);
     }
 
-    /// Its touches are not picked.
+    /// Its touches cannot be picked.
     fn place(&self, picks: &[Pick], _plane: Plane) -> Placed {
         Placed {
             origin: picks[0].point,
@@ -88,7 +88,7 @@ impl Probed for TwoTouches {
         let [s1, s2] = [("s1", 0), ("s2", 1)].map(|(name, touch)| f.set(name, place(touch, along)));
         let [h1, h2] =
             [("h1", 0), ("h2", 1)].map(|(name, touch)| f.set(name, place(touch, normal)));
-        // A wall that turns counter-clockwise leads the second touch deeper.
+        // If the wall is rotated counter-clockwise, the second touch goes deeper.
         let turn = f.set("turn", ((h1 - h2) / (s2 - s1)).atan2(f.number(1.0)));
         let nominal = crate::num::wrap_degrees(
             on.frame

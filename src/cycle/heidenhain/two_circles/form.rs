@@ -1,4 +1,4 @@
-//! The forms of 1411, of the touch probe table's row and of 1493, with what their codes mean.
+//! Forms of 1411, of the touch probe table's row and of 1493, with the meanings of their codes.
 
 use crate::form::{Code, Field, Seen, SubForm, form};
 use crate::geom::Vec3;
@@ -137,7 +137,7 @@ pub(super) const EXTRUSION: SubForm = SubForm {
 };
 
 form! {
-    /// The form of 1411, in the order of its block.
+    /// Form of 1411, in the order of its block.
     pub struct Form {
         /// 1st noml. position of ref. axis? … of minor axis? … in tool axis? A number, or text with a tolerance, ? or @.
         point1: [Nominal; 3] = Field::nominal_point("point1", "1st point", [-30.0, 0.0, -10.0]).code("Q1100").group("Circle 1"),
@@ -179,7 +179,7 @@ form! {
 }
 
 form! {
-    /// The row of the control's touch probe table.
+    /// Row of the control's touch probe table.
     pub struct Probe {
         /// SET_UP of the touch probe table: added to the set-up clearance.
         set_up: f64 = Field::length("setUp", "SET_UP", 2.0).range(0.0, 1000.0).usual(0.0, 50.0).group("Touch probe table"),

@@ -1,11 +1,11 @@
-//! What the control computes in 1411.
+//! Results of 1411, as the control computes them.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::formula::{CirclePart, Coordinate, Datum, Draft, Formula, Name, Role, Value};
 use crate::path::Setup;
 use crate::text::words;
 
-/// Codes and meanings of one object's rows, by object.
+/// Codes and meanings of the rows of each object.
 const CENTRES: [[(&str, &str); 3]; 2] = [
     [
         ("Q950", words!("Measured centre 1, main axis")),
@@ -50,20 +50,20 @@ const RESIDUALS: [(&str, &str); 2] = [
     ),
 ];
 
-/// What is known of one object: centre and diameter, each where it is.
+/// Known values of an object: centre and diameter, each measured or given.
 struct Measured<'f> {
     centre: [Option<Value<'f>>; 3],
     diameter: Option<Value<'f>>,
     residual: Option<Value<'f>>,
 }
 
-/// The name of a value: `q950` of the code `Q950`.
+/// Name of a value: `q950` for the code `Q950`.
 fn q(code: &str) -> Name {
     Name::new("q", code[1..].parse().unwrap_or_default())
 }
 
 impl TwoCircles {
-    /// The formula: both circles, the turn of the line through their centres, deviations, and what is written.
+    /// The formula: both circles, the rotation of the line through their centres, deviations, and the written values.
     pub(super) fn computed(&self, setup: &Setup) -> Formula {
         let f = Draft::with_room_for(2 * self.form.probe_points as usize);
         let mut first = 0;
@@ -183,10 +183,10 @@ impl TwoCircles {
                 let y = f.set(q(CENTRES[number - 1][1].0), part(CirclePart::Ordinate));
                 let height = object.point[2].nominal.unwrap_or(0.0);
                 let z = f.set(q(CENTRES[number - 1][2].0), f.length(height));
-                // The ball centres of a hole lie a radius inside its wall, those of a stud outside.
+                // The ball centres are one radius inside the wall of a hole, outside the wall of a stud.
                 let wall = part(CirclePart::Radius) + f.length(object.outward() * setup.radius);
                 let diameter = f.set(q(DIAMETERS[number - 1].0), f.number(2.0) * wall);
-                // Three touches lie on a circle, whatever they are.
+                // Three touches always lie exactly on a circle.
                 let residual = (count > 3)
                     .then(|| f.set(Name::new("residual", number), part(CirclePart::Residual)));
                 Measured {
@@ -198,8 +198,8 @@ impl TwoCircles {
         }
     }
 
-    /// The turn of the measured line against the nominal one, wrapped to (−180, 180], counter-clockwise positive: the angle of
-    /// the measured vector in axes along and across the nominal one.
+    /// Rotation of the measured line from nominal, wrapped to (−180, 180], counter-clockwise positive: the angle of the measured vector in axes along and
+    /// across the nominal line.
     fn rotation<'f>(
         &self,
         f: &'f Draft,
@@ -218,7 +218,7 @@ impl TwoCircles {
         Some(f.set("q964", across.atan2(along)))
     }
 
-    /// What Q1120, Q1121 and Q1126 make of it.
+    /// Values that Q1120, Q1121 and Q1126 write.
     fn presets<'f>(
         &self,
         f: &'f Draft,

@@ -1,8 +1,7 @@
-//! Probing two circles: HEIDENHAIN cycle 1411, with 1493 extrusion probing in front of it.
+//! Probing two circles: HEIDENHAIN cycle 1411, optionally with extrusion probing (1493) before it.
 //!
-//! Parameters, meanings and results are those of the control's manual. What the manual does not say, and we chose, is in one
-//! place each: [`TwoCircles::angles`] (where the touches lie), [`planner`] (how the ball gets from touch to touch) and
-//! [`judge`] (which value is good, rework or scrap).
+//! Parameters, meanings and results follow the control's manual. Our own choices, which the manual leaves open, are in one place each: [`TwoCircles::angles`]
+//! (positions of the touches), [`planner`] (moves between touches) and [`judge`] (good, rework or scrap).
 
 mod form;
 mod formula;
@@ -103,7 +102,7 @@ pub static DEF: CycleDef = CycleDef {
     },
 };
 
-/// The fields of the two diameters.
+/// Fields with the two diameters.
 const DIAMETERS: [&str; 2] = ["cycle.diameter1", "cycle.diameter2"];
 
 /// The checked cycle.
@@ -114,13 +113,13 @@ pub struct TwoCircles {
     extrusion: Option<Extrusion>,
 }
 
-/// Whether an object is probed by the cycle itself.
+/// Source of an object's position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Probed,
-    /// Its place is not known: the operator moves the probe there.
+    /// Unknown: the operator moves the probe to the object.
     Semi,
-    /// Its place is given: not probed.
+    /// Given: the object is not probed.
     Given,
 }
 
@@ -129,7 +128,7 @@ enum State {
 struct Object {
     /// 1 or 2.
     number: usize,
-    /// Main, minor, tool axis.
+    /// Main axis, minor axis, tool axis.
     point: [Nominal; 3],
     diameter: Nominal,
     hole: bool,
@@ -137,14 +136,14 @@ struct Object {
 }
 
 impl Object {
-    /// The nominal place, where it is known, as (main, minor, tool axis).
+    /// Nominal position, if it is known, as (main, minor, tool axis).
     fn place(&self) -> Option<[f64; 3]> {
         let [a, o, w] = &self.point;
         Some([a.nominal?, o.nominal?, w.nominal?])
     }
 
-    /// What the deviation of a coordinate is measured from. The tool axis of a probed object is not measured: its value is the
-    /// nominal one, and its deviation 0.
+    /// Value from which the deviation of a coordinate is counted. The tool axis of a probed object is not measured: its value is nominal, and its deviation is
+    /// 0.
     fn reference(&self, axis: usize) -> Option<f64> {
         if self.measures(axis) {
             self.point[axis].reference()
@@ -162,7 +161,7 @@ impl Object {
         self.diameter.nominal.unwrap_or(0.0)
     }
 
-    /// +1 outwards for a hole, −1 for a stud: the way the ball goes to touch, and the sign of its radius in the diameter.
+    /// +1 for a hole (touches outwards), −1 for a stud: direction of the touch, and sign of the ball radius in the diameter.
     fn outward(&self) -> f64 {
         if self.hole { 1.0 } else { -1.0 }
     }
@@ -197,7 +196,7 @@ impl TwoCircles {
         ]
     }
 
-    /// What the control takes from GLOBAL DEF is not known here: the form's number is used, moved to a position that can be shown.
+    /// Replaces values that the control takes from GLOBAL DEF by the numbers of the form, at a position that can be shown.
     fn with_stand_ins(mut self) -> Self {
         const ROOM: f64 = 10.0;
         if self.form.set_up_clearance_predef {
@@ -223,7 +222,7 @@ impl TwoCircles {
         self
     }
 
-    /// The stand-off in every probing direction, mm, from surface to ball centre.
+    /// Stand-off in the probing direction, mm, from surface to ball centre.
     fn stand_off(&self, setup: &Setup) -> f64 {
         self.form.set_up_clearance + self.probe.set_up + setup.radius
     }
@@ -232,8 +231,7 @@ impl TwoCircles {
         Frame::new(setup.plane, Vec3::ZERO, 0.0)
     }
 
-    /// The height of the ball centre at which there is no contact: the clearance height; with mode −1, which never uses it, the height
-    /// where the stylus comes from.
+    /// Height of the ball centre without contact: the clearance height. Mode −1 never uses it; then the height from which the stylus comes.
     fn free_height(&self, setup: &Setup) -> f64 {
         if self.form.clearance_height_mode >= 0 {
             return self.form.clearance_height;
@@ -245,7 +243,7 @@ impl TwoCircles {
             .fold(self.form.start[w], |most, place| most.max(place[2]))
     }
 
-    /// The angles of the touches of one circle, radians.
+    /// Angles of the touches of one circle, radians.
     fn angles(&self) -> Vec<f64> {
         let form = &self.form;
         let count = form.probe_points;
@@ -256,7 +254,7 @@ impl TwoCircles {
             .collect()
     }
 
-    /// Where the touches of one place are repeated, as shifts along the extrusion, in (main, minor, tool axis).
+    /// Repetitions of a touch, as shifts along the extrusion in (main, minor, tool axis).
     fn repeats(&self) -> Vec<[f64; 3]> {
         let Some(extrusion) = &self.extrusion else {
             return vec![[0.0; 3]];
@@ -274,7 +272,7 @@ impl TwoCircles {
             .collect()
     }
 
-    /// From nominal centre to nominal centre.
+    /// Line from nominal centre to nominal centre.
     fn line(&self, setup: &Setup) -> Option<[Vec3; 2]> {
         let frame = Self::frame(setup);
         let [one, two] = self.objects();
@@ -282,7 +280,7 @@ impl TwoCircles {
         Some([frame.point(a1, o1, w1), frame.point(a2, o2, w2)])
     }
 
-    /// The angles as the first probed circle shows them.
+    /// Angles of the touches, as the first probed circle shows them.
     fn spread(&self, setup: &Setup) -> Option<Spread> {
         let objects = self.objects();
         let object = objects.iter().find(|o| o.state == State::Probed)?;
@@ -296,7 +294,7 @@ impl TwoCircles {
         })
     }
 
-    /// What is probed, for a control that has the cycle itself.
+    /// The feature for a control that has the cycle itself.
     fn feature(&self, setup: &Setup) -> path::TwoCircles {
         let [extrusion, settings] = self.settings().map(|list| {
             list.into_iter()
@@ -376,7 +374,7 @@ impl Cycle for TwoCircles {
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = Self::frame(setup);
-        // Where the stylus is before the cycle it is free, too.
+        // The position of the stylus before the cycle is free, too.
         let free = self
             .free_height(setup)
             .min(self.form.start[setup.plane.axes()[2]])
@@ -392,11 +390,11 @@ impl Cycle for TwoCircles {
                 return Surface::Unknown;
             };
             let radius = object.nominal_diameter() / 2.0;
-            // The top is not known: half-way between the highest touch and the height at which the ball is free.
+            // The top is unknown: assumed half-way between the highest touch and the height without contact.
             let touched = w + highest;
             let top = touched + ((free - touched) / 2.0).max(0.0);
-            // Around a hole there is material, but not where the other object is, nor where the ball goes around that, on a
-            // part displaced by as much as a touch searches.
+            // There is material around a hole, but not at the other object, nor on the way of the ball around it, on a part displaced by up to the search
+            // distance.
             let clear = if other.hole {
                 0.0
             } else {

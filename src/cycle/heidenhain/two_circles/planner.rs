@@ -1,4 +1,4 @@
-//! How the ball gets from touch to touch in 1411.
+//! Moves of the ball from touch to touch in 1411.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::geom::{Frame, Vec3};
 use crate::path::{Arc, Feed, Move, Setup, Touch, Tracer};
 
-/// Arcs whose radius or chord is smaller than this, in mm, are straight moves.
+/// Arcs with a smaller radius or chord, in mm, become straight moves.
 const SMALLEST_ARC: f64 = 0.02;
 
 /// A start point of the ball before a touch.
@@ -15,7 +15,7 @@ struct Stand {
     at: Vec3,
     /// Angle of the touch about the centre, radians.
     angle: f64,
-    /// The touches from here, and how each place is shifted along the extrusion.
+    /// The touches from this start, each with its shift along the extrusion.
     touches: Vec<(Vec3, Touch)>,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Planner<'a> {
             if over {
                 self.across(stands[0].at, set_up);
             } else {
-                // Without a retract: straight to the first touch of the second object, at the height where the ball is.
+                // Without a retract: directly to the first touch of the second object, at the current height.
                 let level = self.level(
                     self.tracer.place().expect("the first object was touched"),
                     stands[0].at,
@@ -79,7 +79,7 @@ impl<'a> Planner<'a> {
             self.probe(object, &stands, probing);
             let last = i + 1 == probed.len();
             if mode < 1 && !last {
-                // To the next object at the measuring height, not where the extrusion ended.
+                // To the next object at the measuring height, not at the end of the extrusion.
                 self.along(stands.last().expect("a circle has touches").at, back);
             }
             if mode >= 1 || (mode == 0 && last) {
@@ -111,7 +111,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Along the tool axis beside the object: down at the probing feed, up at rapid.
+    /// Moves along the tool axis beside the object: down at the probing feed, up at rapid.
     fn along(&mut self, to: Vec3, step: u8) {
         let at = self.tracer.place().expect("the cycle has begun");
         let down = to.dot(self.frame.w) < at.dot(self.frame.w) - 1e-9;
@@ -119,8 +119,7 @@ impl<'a> Planner<'a> {
             .position(to, if down { Feed::Work } else { Feed::Rapid }, step);
     }
 
-    /// With mode −1: at the height where the stylus is (but not below the measuring height) over the first stand; from there it
-    /// goes down at the probing feed.
+    /// With mode −1: at the height of the stylus (but not below the measuring height) to a point above the first start, then down at the probing feed.
     fn go_to_first_stand(&mut self, stand: Vec3, step: u8) {
         let w = self.frame.w;
         let start = self.cycle.form.start;
@@ -130,8 +129,7 @@ impl<'a> Planner<'a> {
             .position(self.level(raised, stand), Feed::Rapid, step);
     }
 
-    /// To centre 1 with positioning logic, from where the ball is: from below the clearance height first up, then in the plane; from above first in
-    /// the plane, then down.
+    /// To centre 1 with positioning logic: from below the clearance height first up, then in the plane; from above first in the plane, then down.
     fn go_to_first_centre(&mut self, object: &Object, step: u8) {
         let w = self.frame.w;
         let form = &self.cycle.form;
@@ -146,7 +144,7 @@ impl<'a> Planner<'a> {
             .position(over - w * (over.dot(w) - height), Feed::Rapid, step);
     }
 
-    /// In the plane over a place, at the height where the ball is.
+    /// In the plane to a position, at the current height.
     fn across(&mut self, place: Vec3, step: u8) {
         let at = self.tracer.place().expect("the cycle has begun");
         self.tracer
@@ -164,18 +162,18 @@ impl<'a> Planner<'a> {
         );
     }
 
-    /// From one stand to the next at measuring height, along the arc of the stand-off radius: a chord could cut a stud.
+    /// From one start to the next at measuring height, along the arc of the stand-off radius: a chord could cut a stud.
     fn around(&mut self, object: &Object, from: &Stand, to: &Stand, step: u8) {
         let w = self.frame.w;
         let at = self.tracer.place().expect("the cycle has begun");
-        // The extrusion may have left the ball away from its stand.
+        // The extrusion may have left the ball away from its start.
         if at.distance(from.at) > 1e-9 {
             self.along(from.at, step);
         }
         let centre = self.centre(object);
         let center = centre + w * (from.at.dot(w) - centre.dot(w));
         let sweep = to.angle - from.angle;
-        // So small an arc could be printed as none, or as a whole turn; straight it differs by less than can be seen.
+        // So small an arc could be printed without length or as a full turn. A straight move differs by less than the resolution.
         let small =
             from.at.distance(center) < SMALLEST_ARC || from.at.distance(to.at) < SMALLEST_ARC;
         if small || sweep.abs() >= TAU {
@@ -201,7 +199,7 @@ impl<'a> Planner<'a> {
         let (setup, cycle, frame) = (self.setup, self.cycle, self.frame);
         let centre = self.centre(object);
         let radius = object.nominal_diameter() / 2.0;
-        // In a hole too small for the set-up clearance the touches begin at its centre.
+        // In a hole that is too small for the set-up clearance the touches begin at its centre.
         let stand_off = (radius - object.outward() * cycle.stand_off(setup)).max(0.0);
         let contact = radius - object.outward() * setup.radius;
         let way = (contact - stand_off).abs();

@@ -1,4 +1,4 @@
-//! The parameters that the control is given, Q by Q, with its own dialog texts.
+//! The Q parameters of the call, with the control's dialog texts.
 
 use crate::cycle::heidenhain::two_circles::TwoCircles;
 use crate::path::{Accessor, Parameter, ParameterValue, Setting};
@@ -6,7 +6,7 @@ use crate::text::text;
 use crate::tolerance::Nominal;
 
 impl TwoCircles {
-    /// The settings with the fields they come from: of 1493, where there is one, and of 1411, in the order of their blocks.
+    /// Settings with their fields: of 1493, if it is used, and of 1411, in the order of their blocks.
     pub(super) fn settings(&self) -> [Vec<(Setting, &'static str)>; 2] {
         let form = &self.form;
         let setting = |number: i32, dialog: &str, value: ParameterValue, field: &'static str| {
@@ -124,7 +124,7 @@ impl TwoCircles {
                 code(form.align_rotary_axis),
                 "cycle.alignRotaryAxis",
             ),
-            // The control's own spelling.
+            // Spelled as on the control.
             setting(
                 1120,
                 "TRANSER POSITION",
@@ -142,7 +142,7 @@ impl TwoCircles {
     }
 }
 
-/// Settings as rows of the table. The code is that of the parameter, which a program writes as QS where the value is a text.
+/// Settings as rows of the table. The code is the number of the parameter; a program writes it as QS if the value is a text.
 pub(super) fn rows(settings: [Vec<(Setting, &'static str)>; 2]) -> Vec<Parameter> {
     let row = |(setting, field): (Setting, &'static str)| Parameter {
         code: setting.number,

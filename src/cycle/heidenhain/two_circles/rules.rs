@@ -1,4 +1,4 @@
-//! What must hold in 1411 beyond single fields.
+//! Rules of 1411 that concern several fields.
 
 use crate::cycle::heidenhain::two_circles::{DIAMETERS, Object, State, TwoCircles};
 use crate::form::Checker;
@@ -14,13 +14,13 @@ const PLACES_AND_SIZES: &[&str] = &[
     "cycle.diameter2",
 ];
 
-/// A rule, and the fields without whose values it says nothing.
+/// A rule, and the fields without which it cannot be checked.
 type Rule = (
     &'static [&'static str],
     fn(&TwoCircles, &Setup, &mut Checker),
 );
 
-/// Every rule, in the order of their findings.
+/// All rules, in the order of their findings.
 const RULES: [Rule; 9] = [
     (&[], TwoCircles::objects_rule),
     (&[], TwoCircles::arc_rule),
@@ -36,13 +36,13 @@ const RULES: [Rule; 9] = [
     (&[], TwoCircles::height_rule),
 ];
 
-/// How far two places, as (main, minor) and more, are apart in the plane.
+/// Distance of two positions, as (main, minor, …), in the plane.
 fn apart(p: &[f64], q: &[f64]) -> f64 {
     (p[0] - q[0]).hypot(p[1] - q[1])
 }
 
 impl TwoCircles {
-    /// Reports every rule that does not hold.
+    /// Reports every broken rule.
     pub(super) fn check(&self, setup: &Setup, checker: &mut Checker) {
         for (needs, rule) in RULES {
             if checker.is_clean(needs) {
@@ -51,7 +51,7 @@ impl TwoCircles {
         }
     }
 
-    /// What must hold of each object alone.
+    /// Rules for each object alone.
     fn objects_rule(&self, setup: &Setup, checker: &mut Checker) {
         for ((object, point), diameter) in self.objects().iter().zip(POINTS).zip(DIAMETERS) {
             object_rules(object, point, diameter, checker);
@@ -112,7 +112,7 @@ impl TwoCircles {
         }
     }
 
-    /// No probed circle lies wholly in the other.
+    /// No probed circle may lie wholly inside the other.
     fn containing_rule(&self, _setup: &Setup, checker: &mut Checker) {
         let [one, two] = self.objects();
         let (Some(p), Some(q), State::Probed, State::Probed) =
@@ -152,7 +152,7 @@ impl TwoCircles {
         }
     }
 
-    /// Touches must lie apart, and an arc too short makes the circle uncertain.
+    /// Touches must be apart, and too short an arc makes the circle uncertain.
     fn spread_rule(&self, _setup: &Setup, checker: &mut Checker) {
         const NEAREST: f64 = 1.0;
         const DOUBTFUL: f64 = 5.0;
@@ -197,7 +197,7 @@ impl TwoCircles {
         }
     }
 
-    /// From the start of a touch to the nominal wall of an object.
+    /// Distance from the start of a touch to the nominal wall of an object.
     fn way(&self, object: &Object, setup: &Setup) -> f64 {
         let own = self.stand_off(setup) - setup.radius;
         if object.hole {
@@ -207,7 +207,7 @@ impl TwoCircles {
         }
     }
 
-    /// An object within its tolerance must not reach the descent of the ball, nor lie beyond the search: the path is planned for the nominal object.
+    /// An object within its tolerance must not reach into the descent of the ball, nor lie beyond the search: the path is planned for the nominal object.
     fn zone_rules(
         &self,
         object: &Object,
@@ -224,7 +224,7 @@ impl TwoCircles {
             );
             return checker.error("out-of-range", diameter, message);
         }
-        // How much nearer to the ball the wall is at a limit than the nominal one; of a place, on the side that it comes nearer to.
+        // How much closer to the ball the wall is at a limit than nominal; for a position, on the side that comes closer.
         let nominal = object.nominal_diameter();
         let nearer = |limit: f64| object.outward() * (nominal - limit) / 2.0;
         let sizes = object
@@ -268,7 +268,7 @@ impl TwoCircles {
         }
     }
 
-    /// Whether the ball fits, and whether a touch reaches the wall.
+    /// Checks whether the ball fits, and whether a touch reaches the wall.
     fn room_rules(
         &self,
         object: &Object,
@@ -328,7 +328,7 @@ impl TwoCircles {
         }
     }
 
-    /// The clearance height against the measuring heights, and the notice of the manual.
+    /// Checks the clearance height against the measuring heights, and gives the notice of the manual.
     fn height_rule(&self, setup: &Setup, checker: &mut Checker) {
         let mode = self.form.clearance_height_mode;
         let extrusion = self
@@ -380,7 +380,7 @@ impl TwoCircles {
     }
 }
 
-/// What must hold of one object's values.
+/// Rules for the values of one object.
 fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Checker) {
     if !checker.is_clean(&[point, diameter]) {
         return;

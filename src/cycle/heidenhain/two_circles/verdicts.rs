@@ -1,4 +1,4 @@
-//! Verdicts of 1411, the rows that single touches give, and the form error.
+//! Verdicts of 1411, the rows for single touches, and the form error.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::formula::{CircleFit, ResultRow, Unit, fit_circle};
@@ -7,7 +7,7 @@ use crate::path::{Path, Setup};
 use crate::text::{Text, text, words};
 use crate::tolerance::Nominal;
 
-/// Adds verdicts, Q183, the extrusion's deviations, and the form error of each circle (ours).
+/// Adds verdicts, Q183, the deviations of the extrusion, and the form error of each circle (our addition).
 pub fn judge(
     cycle: &TwoCircles,
     setup: &Setup,
@@ -17,7 +17,7 @@ pub fn judge(
 ) {
     let objects = cycle.objects();
     let mut worst: Option<i32> = None;
-    // Whether everything that has a tolerance was measured.
+    // Whether every toleranced value was measured.
     let mut whole = true;
     for object in &objects {
         let codes = [["Q950", "Q951", "Q952"], ["Q953", "Q954", "Q955"]][object.number - 1];
@@ -50,7 +50,7 @@ pub fn judge(
     }
 }
 
-/// The verdict of one value: 0 good, 1 rework, 2 scrap. Limits are good. Gives whether nothing is missing for it.
+/// Verdict of one value: 0 good, 1 rework, 2 scrap; a value at a limit is good. Returns whether all values for it are known.
 fn give(
     rows: &mut [ResultRow],
     code: &str,
@@ -59,8 +59,7 @@ fn give(
     hole: bool,
     worst: &mut Option<i32>,
 ) -> bool {
-    /// mm. A value on its very limit is good: the last decimals of the touches, spread by a short arc, decide nothing. No control
-    /// shows so little.
+    /// In mm. A value at the limit is good: the last decimals of the touches, magnified by a short arc, decide nothing. No control displays so little.
     const LIMIT: f64 = 1e-6;
     let Some((low, high)) = value.limits else {
         return true;
@@ -84,7 +83,7 @@ fn give(
     true
 }
 
-/// Q183 where a value with a tolerance was not measured.
+/// Q183 if a toleranced value was not measured.
 fn unknown() -> ResultRow {
     let mut row = row("Q183", words!("Workpiece status"), Unit::None, 0.0);
     row.value = None;
@@ -93,7 +92,7 @@ fn unknown() -> ResultRow {
     ))
 }
 
-/// Q183, and what Q309 makes of it.
+/// Q183 and the reaction by Q309.
 fn workpiece(worst: Option<i32>, reaction: i32) -> ResultRow {
     let status = worst.unwrap_or(-1);
     let stops = match reaction {
@@ -118,7 +117,7 @@ fn workpiece(worst: Option<i32>, reaction: i32) -> ResultRow {
     .with_verdict(verdict)
 }
 
-/// What a status is called.
+/// Word for a status.
 fn word(status: i32) -> Text {
     match status {
         0 => text!("good"),
@@ -128,7 +127,7 @@ fn word(status: i32) -> Text {
     }
 }
 
-/// The form error of one circle, and with an extrusion the largest deviations of its single circles.
+/// Form error of one circle; with an extrusion also the largest deviations of its single circles.
 fn single_rows(
     cycle: &TwoCircles,
     object: &Object,
