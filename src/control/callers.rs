@@ -1,8 +1,8 @@
-//! Controls whose programs call Renishaw's macros and nothing else: Mazak, Brother, Hurco, Okuma.
+//! Controls whose programs consist of calls of Renishaw's macros: Mazak, Brother, Hurco, Okuma.
 //!
-//! Sources: the posts that Autodesk publishes for these controls, for Okuma a post derived from one [S]: the calls with their letters, work offsets,
-//! outputs, units, what begins and ends a program. Ours, and marked [I] in the docs: that the macros move as those for Haas do, 9821, 9822 and 9834 on a
-//! Brother and an Okuma, the variables that keep a result.
+//! Sources: the posts that Autodesk publishes for these controls, for Okuma a post derived from one [S]: calls with their letters, work offsets, outputs,
+//! units, beginning and end of a program. Ours, and marked [I] in the docs: that the macros move like those for Haas, 9821, 9822 and 9834 on a Brother and an
+//! Okuma, and the variables that save results.
 
 use crate::control::iso::writer::{self, Dialect};
 use crate::control::own::OwnCycles;
@@ -13,7 +13,7 @@ use crate::form::Checker;
 use crate::path::{Stored, Subject};
 use crate::text::{text, words};
 
-/// The macros that no source shows on a Brother or an Okuma.
+/// Macros that no source shows on a Brother or an Okuma.
 const NOT_SEEN: &[u32] = &[9821, 9822, 9834, 9835];
 
 /// Mazak, programs in EIA/ISO.
@@ -74,7 +74,7 @@ pub(super) static OKUMA: PostDef = PostDef {
     title: "Okuma OSP",
     about: "calls of Renishaw's macros as CALL O98xx, with results in VS75 and following. Not verified on a control.",
     extension: "MIN",
-    // What PS takes.
+    // Numbers that PS accepts.
     work_offsets: 100,
     work_offset_word: |n| format!("G15 H{n}"),
     check: |request, checker| checked(request, &OKUMA_CALLS, checker),
@@ -83,7 +83,7 @@ pub(super) static OKUMA: PostDef = PostDef {
     ..CALLER
 };
 
-/// What they have in common.
+/// Base of these controls.
 const CALLER: PostDef = PostDef {
     extension: "NC",
     unused: &["tool", "setUp", "probeInput"],

@@ -1,26 +1,26 @@
-//! What a program does to the control's tables, in one sentence: header, list of controls, panel and setup sheet all show this one.
+//! Summary of what a program writes to the control's tables, in one sentence. Header, list of controls, panel and setup sheet all show it.
 
 use crate::control::{Form, Request};
 use crate::geom::AXIS_NAMES;
 use crate::path::{Feature, ParameterValue, TwoCircles};
 use crate::text::{Text, text};
 
-/// How a program writes a work offset at its end, after [`Request::does`] in a header.
+/// Suffix after [`Request::does`] in a header, for a program that writes a work offset at its end.
 pub(super) const ONCE: &str = ": selected first, written once, at the very end";
 
-/// What cycle 1411 does after probing.
+/// Settings of cycle 1411 for its action after probing.
 struct Preset {
-    /// The axes of the active preset that Q1120 corrects, in the order X, Y, Z.
+    /// Axes of the active preset that Q1120 corrects, in the order X, Y, Z.
     axes: Vec<&'static str>,
-    /// Q1121: 0 nothing, 1 the basic rotation, 2 the offset of the rotary table.
+    /// Q1121: 0 nothing, 1 basic rotation, 2 offset of the rotary table.
     rotation: i32,
     /// Q1126: whether the rotary table turns.
     turns: bool,
 }
 
 impl Request<'_> {
-    /// What the program writes: of its work offset the axes in the order X, Y, Z, then the rotation; what the native cycle writes to the
-    /// active preset, likewise. Empty where it measures only.
+    /// Values that the program writes: axes of its work offset in the order X, Y, Z, then the rotation; the same for the active preset if a native cycle writes
+    /// it. Empty if it only measures.
     pub fn writes(&self) -> Vec<&'static str> {
         if let Some(preset) = self.preset() {
             let axes = preset.axes.into_iter().map(|axis| match axis {
@@ -92,7 +92,7 @@ impl Request<'_> {
         }
     }
 
-    /// The tool offsets that its macros correct.
+    /// Tool offsets that its macros correct.
     fn tools(&self) -> Vec<i32> {
         self.path
             .own
@@ -100,7 +100,7 @@ impl Request<'_> {
             .map_or_else(Vec::new, |own| own.tools())
     }
 
-    /// What it does to the work offset of the job; `None` if the job names no offset.
+    /// Summary for the work offset of the job; `None` if the job names no offset.
     fn does_to_offset(&self) -> Option<Text> {
         let number = self.work_offset?;
         let offset = (self.post.work_offset_word)(number);
@@ -117,7 +117,7 @@ impl Request<'_> {
         })
     }
 
-    /// What the native cycle does to the active preset; `None` if the program itself writes.
+    /// Change of the active preset by the native cycle; `None` if the program itself writes.
     fn preset(&self) -> Option<Preset> {
         let circles = self
             .path
@@ -156,7 +156,7 @@ impl Preset {
     }
 }
 
-/// A setting of the cycle that is a whole number.
+/// A whole-number setting of the cycle.
 pub(super) fn code(circles: &TwoCircles, number: i32) -> i32 {
     match circles
         .settings
@@ -169,7 +169,7 @@ pub(super) fn code(circles: &TwoCircles, number: i32) -> i32 {
     }
 }
 
-/// The line of a header that says it. `how`: in which way a work offset is written.
+/// Header line with the summary. `how` tells how a work offset is written.
 pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     const CYCLE: &str = ": the cycle corrects the active preset by itself";
     let how = match (request.work_offset, request.preset()) {
@@ -189,7 +189,7 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     sentence(request) + how
 }
 
-/// The sentence with a capital.
+/// The summary with a capital.
 pub(super) fn sentence(request: &Request<'_>) -> String {
     let mut does = request.does().english();
     does[..1].make_ascii_uppercase();

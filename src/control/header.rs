@@ -1,24 +1,24 @@
-//! The job as comments, both ways: every value of it, its format, the version that wrote it, and a hash over the blocks below.
+//! The job as comments, written and read: all its values, the format, the version that wrote it, and a hash over the blocks below.
 
 use crate::control::iso::lex::{after, next_line, without_count};
 use crate::control::{Header, Request, comment_char};
 use crate::form::Value;
 use crate::num::{format_count, push_in_full};
 
-/// What begins a comment that says values of the job.
+/// Start of a comment with values of the job.
 pub const JOB_LINE: &str = "job ";
 
-/// What begins the comment that says who wrote the program.
+/// Start of the comment with the version that wrote the program.
 pub const MADE_BY: &str = "Made by Touchpath ";
 
-/// What begins the comment that says the hash over the lines below it.
+/// Start of the comment with the hash over the lines below it.
 pub const HASH: &str = "Blocks below: ";
 
-/// Stands for the hash until the blocks are written: as long as it.
+/// Placeholder of the same length as the hash, until the blocks are written.
 pub const NO_HASH: &str = "0000000000000000";
 
-/// The comments: in a full header all of the job but its name and the virtual part, in a short one the version alone; then the hash.
-/// `width` is the most characters of one; where only capitals can be written, a small letter of a text is a capital after a plus.
+/// The comments. A full header has the whole job without its name and the virtual part, a short one only the version; the hash follows. `width` is the longest
+/// comment. If only capitals are possible, a small letter in a text is a plus and a capital.
 pub fn lines(request: &Request<'_>, width: usize, capitals: bool) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = match (request.header, request.job) {
@@ -35,7 +35,7 @@ pub fn lines(request: &Request<'_>, width: usize, capitals: bool) -> Vec<String>
     lines
 }
 
-/// Puts the hash in, where the header has its place.
+/// Replaces the placeholder by the hash.
 pub fn seal(text: &mut String) {
     let mut at = 0;
     while let Some(end) = text[at..].find('\n') {
@@ -52,11 +52,11 @@ pub fn seal(text: &mut String) {
     }
 }
 
-/// A hash over lines: line ends, blanks at the end of a line and empty lines do not count. XXH64, 16 hexadecimal digits.
+/// Hash over lines: line ends, trailing blanks and empty lines do not count. XXH64 as 16 hexadecimal digits.
 pub fn hash(text: &str) -> String {
     let mut state = xxhash_rust::xxh64::Xxh64::new(0);
     if is_plain(text) {
-        // Just what the lines below put together.
+        // The same bytes as line by line below.
         state.update(text.as_bytes());
         return format!("{:016X}", state.digest());
     }
@@ -71,7 +71,7 @@ pub fn hash(text: &str) -> String {
     format!("{:016X}", state.digest())
 }
 
-/// Whether every line has something in it, ends in a line feed alone, and has no blank in front of that.
+/// Whether every line is non-empty, ends in a single line feed, and has no trailing blank.
 fn is_plain(text: &str) -> bool {
     let filled = |at: usize| at > 0 && text.as_bytes()[at - 1] > b' ';
     text.is_ascii()
@@ -79,7 +79,7 @@ fn is_plain(text: &str) -> bool {
         && memchr::memchr_iter(b'\n', text.as_bytes()).all(filled)
 }
 
-/// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
+/// The job as comment lines of `path=value` words, without its name and the virtual part. A comment has at most `width` characters.
 fn job_lines(job: &Value, width: usize, capitals: bool) -> Vec<String> {
     let mut words = Words {
         width,
@@ -99,18 +99,18 @@ fn job_lines(job: &Value, width: usize, capitals: bool) -> Vec<String> {
     words.lines
 }
 
-/// Lines of words while they are written.
+/// Lines of words under construction.
 struct Words {
     width: usize,
     capitals: bool,
-    /// The path of the value in the job.
+    /// Path of the value in the job.
     path: String,
     word: String,
     lines: Vec<String>,
 }
 
 impl Words {
-    /// Goes to a place inside, and back.
+    /// Runs `push` at an inner path and returns to the outer one.
     fn within(&mut self, parts: &[&str], push: impl FnOnce(&mut Self)) {
         let outside = self.path.len();
         parts.iter().for_each(|part| self.path.push_str(part));
@@ -146,9 +146,9 @@ impl Words {
         }
     }
 
-    /// Makes the word of a value.
+    /// Writes the word of a value.
     fn write(&mut self, value: &Value) {
-        // The words outside the cycle are those of choices: the reader knows them in capitals, too.
+        // Words outside the cycle belong to choices: the reader recognises them in capitals, too.
         let own = ["cycle.", "cycles[", "datum.", "relations", "tolerances."]
             .iter()
             .any(|own| self.path.starts_with(own));
@@ -160,7 +160,7 @@ impl Words {
         push_value(&mut self.word, value, marked);
     }
 
-    /// Puts the word into the last line, or into a new one where that is full.
+    /// Appends the word to the last line, or starts a new line if that is full.
     fn keep(&mut self) {
         let lead = match self.lines.last_mut() {
             Some(line) if line.len() + 1 + self.word.len() <= self.width => " ",
@@ -176,7 +176,7 @@ impl Words {
     }
 }
 
-/// A value in a word: no spaces, nothing that could end a comment.
+/// A value in a word: without spaces or anything that could end a comment.
 fn push_value(word: &mut String, value: &Value, capitals: bool) {
     match value {
         Value::Map(_) => word.push_str("{}"),
@@ -190,7 +190,7 @@ fn push_value(word: &mut String, value: &Value, capitals: bool) {
         }
         Value::Null | Value::Other(_) => word.push_str("null"),
         Value::Flag(on) => word.push_str(if *on { "true" } else { "false" }),
-        // In full, so that it reads back as the same number; never -0.
+        // In full, so that it reads back as the same number; never −0.
         Value::Number(x) => push_in_full(word, x + 0.0),
         Value::Text(text) => {
             for c in text.chars().filter(|c| *c != ' ') {
@@ -208,7 +208,7 @@ fn push_value(word: &mut String, value: &Value, capitals: bool) {
     }
 }
 
-/// What the header of a program says.
+/// Contents of a program's header.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HeaderLines<'t> {
     /// The version that wrote it.
@@ -217,11 +217,11 @@ pub struct HeaderLines<'t> {
     pub name: Option<&'t str>,
     /// Paths and values of the job.
     pub values: Vec<(&'t str, &'t str)>,
-    /// Whether the lines below are those that it was written for; `None` if it says no hash.
+    /// Whether the lines below are those that the header was written for; `None` without a hash.
     pub unchanged: Option<bool>,
 }
 
-/// The most words of a header that are read.
+/// Largest number of words that are read from a header.
 const MOST_WORDS: usize = 20_000;
 
 /// Reads the comments of a program, whatever control it is for.
@@ -237,7 +237,7 @@ pub fn read(text: &str) -> HeaderLines<'_> {
             if said.values.len() > MOST_WORDS {
                 continue;
             }
-            // Version 0.1.0 wrote a line for each value: `job path = value`.
+            // Version 0.1.0 wrote each value on its own line: `job path = value`.
             match words.split_once(" = ") {
                 Some((path, value)) => said.values.push((path.trim(), value.trim())),
                 None => said
@@ -257,7 +257,7 @@ pub fn read(text: &str) -> HeaderLines<'_> {
     said
 }
 
-/// The comment that a line is, without its sign: `(…)`, `; …`, or `12 ; …` as Klartext numbers it.
+/// The comment on a line, without its sign: `(…)`, `; …`, or `12 ; …` as Klartext numbers it.
 fn comment(line: &str) -> Option<&str> {
     let line = without_count(line.trim());
     if let Some(inner) = line.strip_prefix('(') {
@@ -275,7 +275,7 @@ mod tests {
         assert_eq!(hash("G1 X1\n"), hash("G1 X1  \r\n\r\n"));
         assert_ne!(hash("G1 X1\n"), hash("G1 X2\n"));
         assert_ne!(hash("G1 X1\nM2\n"), hash("M2\nG1 X1\n"));
-        // Plain texts are hashed in one piece, others line by line: with the same result.
+        // Plain texts are hashed as a whole, others line by line: with the same result.
         for other in [
             "G1 X1\nM2",
             "G1 X1\n\r\rM2\n\r\r",
@@ -289,7 +289,7 @@ mod tests {
             assert_eq!(hash(other), hash("G1 X1\nM2\n"), "{other:?}");
         }
         assert!(is_plain("G1 X1\nM2\n") && !is_plain("é\n") && !is_plain(""));
-        // XXH64 of nothing with the seed 0, as its specification prints it.
+        // XXH64 of an empty text with seed 0, as its specification prints it.
         assert_eq!(hash(""), "EF46DB3751D8E999");
     }
 

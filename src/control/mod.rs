@@ -1,7 +1,7 @@
-//! Programs for controls. What adding one takes, step by step: "Adding a control" in `CONTRIBUTING.md`.
+//! Programs for controls. "Adding a control" in `CONTRIBUTING.md` lists the steps for a new one.
 //!
-//! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
-//! each, and every touch runs on past its nominal contact by the overtravel.
+//! A post takes a checked path and prints it; it is independent of cycles. Every move of the path is printed, one block each, and every touch continues past
+//! its nominal contact by the overtravel.
 
 mod callers;
 mod does;
@@ -52,12 +52,12 @@ pub const POSTS: &[&PostDef] = &[
     &callers::OKUMA,
 ];
 
-/// How a program probes.
+/// Form of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Plain moves and touches, a block each.
+    /// Plain moves and touches, one block each.
     Moves,
-    /// The native cycle.
+    /// Native cycles.
     Cycle,
 }
 
@@ -72,7 +72,7 @@ impl Form {
         }
     }
 
-    /// The form that a word names; moves for any other word.
+    /// The form with this word; moves for any other word.
     pub fn named(word: &str) -> Form {
         if word == Form::Cycle.word() {
             Form::Cycle
@@ -89,12 +89,12 @@ impl Form {
     }
 }
 
-/// How much of the job the header of a program says.
+/// Detail of a program's header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Header {
-    /// Every value of the job.
+    /// All values of the job.
     Full,
-    /// None: the version and the hash over the blocks alone.
+    /// No values: only the version and the hash over the blocks.
     Short,
 }
 
@@ -107,7 +107,7 @@ impl Header {
         }
     }
 
-    /// The header that a word names; the full one for any other word.
+    /// The header with this word; the full one for any other word.
     pub fn named(word: &str) -> Header {
         if word == Header::Short.word() {
             Header::Short
@@ -117,14 +117,14 @@ impl Header {
     }
 }
 
-/// Where a program shows its results before it ends.
+/// Output of the results before the program ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Report {
     /// On the screen of the control.
     Screen,
-    /// In a file, or over the control's printing interface.
+    /// A file, or the control's printing interface.
     Log,
-    /// Nowhere: they stay in variables.
+    /// None: results stay in variables.
     None,
 }
 
@@ -138,7 +138,7 @@ impl Report {
         }
     }
 
-    /// The report that a word names; `Screen` for any other word.
+    /// The output with this word; `Screen` for any other word.
     pub fn named(word: &str) -> Report {
         [Report::Log, Report::None]
             .into_iter()
@@ -147,13 +147,13 @@ impl Report {
     }
 }
 
-/// What is known of a control.
+/// Definition of a control.
 #[derive(Clone, Copy, Debug)]
 pub struct PostDef {
     /// `control.post` in the job.
     pub key: &'static str,
     pub title: &'static str,
-    /// What its programs are, in a sentence or two, for docs/controls.md.
+    /// One or two sentences about its programs, for docs/controls.md.
     #[cfg_attr(
         not(test),
         allow(dead_code, reason = "the documents are generated from it")
@@ -161,65 +161,64 @@ pub struct PostDef {
     pub about: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
-    /// Highest number of a work offset the control takes; 0 where a program cannot write one.
+    /// Highest number of a work offset; 0 if a program cannot write one.
     pub work_offsets: i32,
-    /// Whether its native cycle corrects the active preset: no work offset is chosen then.
+    /// Whether its native cycle corrects the active preset; no work offset is chosen then.
     pub own_preset: fn(Subject) -> bool,
-    /// How a work offset is called, by its number.
+    /// Word of a work offset, by its number.
     pub work_offset_word: fn(i32) -> String,
     /// Whether a work offset has a rotation that its program can write.
     pub rotates: bool,
-    /// The fields of the job's section `control` that change nothing on it.
+    /// Fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
     /// Fields that a program of native cycles ignores, as paths of the job.
     pub unused_by_cycles: &'static [&'static str],
-    /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
+    /// Whether plane and tool decide which of the tool's lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
-    /// Whether its program computes the results itself: in plain arithmetic, circles by their normal equations and not by geometric least
-    /// squares.
+    /// Whether its program computes the results: in plain arithmetic, with circles by normal equations instead of geometric least squares.
     pub computes: bool,
-    /// When its program computes them.
+    /// Time at which its program computes them.
     pub when: When,
-    /// The nearest to its start that a touch may trigger, mm, each axis added up: what triggers nearer passes for a probe that is deflected.
+    /// Smallest distance from its start at which a touch may trigger, mm, as a sum over the axes. A closer trigger counts as a probe that is still deflected.
     pub nearest_trigger: f64,
-    /// Whether its program watches positioning moves with the probe, where the job asks for it.
+    /// Whether its program watches positioning moves with the probe, if the job asks for it.
     pub watches: bool,
-    /// Whether the way to the first position is watched as well.
+    /// Whether the approach to the first position is watched as well.
     pub watches_first: bool,
-    /// The shortest probing move, mm: shorter positioning moves are plain.
+    /// Shortest probing move, mm. Shorter positioning moves are plain.
     pub shortest_probe: f64,
-    /// By how much a written constant may be off, as a part of itself.
+    /// Largest relative error of a printed constant.
     pub constant_error: f64,
-    /// How its blocks are written.
+    /// Notation of its blocks.
     pub dialect: &'static Dialect,
-    /// What its programs cannot do, and why: [`ORIENT`], [`WRITE_OFFSET`], or the name of a safety rule. [`PostDef::why_not`] asks it.
+    /// What its programs cannot do, and why: [`ORIENT`], [`WRITE_OFFSET`], or the name of a safety rule. [`PostDef::why_not`] reads it.
     pub cannot: &'static [(&'static str, &'static str)],
-    /// The name that its programs bear, from the one in the job.
+    /// Name of a program, from the name of the job.
     pub name: fn(&str) -> String,
-    /// The rate at which it makes a move from where the ball is, mm/min; none is as fast as it can.
+    /// Rate of a move from the current ball centre, mm/min; `None` is the rapid rate.
     pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
-    /// Whether a program in a form can probe this, and why not: its row of the matrix.
+    /// Whether a program in a form can probe this feature, and why not: its row of the support matrix.
     pub serves: fn(Subject, Form) -> Result<(), &'static str>,
-    /// Reports what of this very program it cannot do, or what its user should know.
+    /// Reports what it cannot do for this request, and notes for the user.
     pub check: fn(&Request<'_>, &mut Checker),
     pub emit: fn(&Request<'_>) -> Program,
     /// Reads a program of moves back.
     pub read: Option<Reader>,
-    /// Its own cycles, where their path is known.
+    /// Its native cycles, if their path is known.
     pub own: Option<&'static own::OwnCycles>,
-    /// Where its program cannot write a work offset and its user can: the block to type where the program has ended, from what was measured of the
-    /// datum (abscissa, ordinate and tool axis, mm) and the number of the work offset.
+    /// For controls whose programs cannot write a work offset although the user can: the block to type at the end of the program, from the measured datum
+    /// (abscissa, ordinate and tool axis, mm) and the number of the work offset.
     pub typed_write: Option<TypedWrite>,
 }
 
-/// To turn the spindle to an angle.
+/// Orienting the spindle to an angle.
 pub const ORIENT: &str = "orient";
 
-/// To write a work offset.
+/// Writing a work offset.
 pub const WRITE_OFFSET: &str = "write-offset";
 
-/// What most controls have. A control is one const over it, or over that of its kin: `PostDef { key: "…", …, ..BASE }`. What every control must state
-/// (key, title, `about`, extension, `serves`, `emit`) is empty here; a test checks that every control states it.
+/// Defaults of all controls. A control is one const based on it, or on that of related controls: `PostDef { key: "…", …, ..BASE }`. Entries that every control
+/// must state (key, title, `about`, extension, `serves`, `emit`) are empty here; a test checks that every control states them.
 pub const BASE: PostDef = PostDef {
     key: "",
     title: "",
@@ -258,11 +257,11 @@ pub const BASE: PostDef = PostDef {
 /// See [`PostDef::typed_write`].
 pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 
-/// Reads a program: every line that is not understood is listed.
+/// Reads a program. Lists every line that is not understood.
 pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<Trouble>>;
 
 impl PostDef {
-    /// Whether a job can have the form of moves here: those programs are read back.
+    /// Whether a job can have the form of moves: those programs are read back.
     pub fn moves(&self) -> bool {
         self.read.is_some()
     }
@@ -273,7 +272,7 @@ impl PostDef {
         known.map(|(_, why)| *why)
     }
 
-    /// Words about the control, with its name in place of `{control}`.
+    /// A text about the control, with its name in place of `{control}`.
     pub fn says(&self, words: &'static str) -> Text {
         let mut text = Text::words(words);
         if words.contains("{control}") {
@@ -282,7 +281,7 @@ impl PostDef {
         text
     }
 
-    /// Decimals of lengths and feeds in a program whose unit is so many mm.
+    /// Decimals of lengths and feeds in a program. `scale` is mm in its unit.
     pub fn decimals(&self, scale: f64) -> usize {
         if scale == 1.0 {
             self.dialect.decimals_mm
@@ -291,7 +290,7 @@ impl PostDef {
         }
     }
 
-    /// Half of the last digit of a place or a feed, in units of the program: by so much a written one may be off.
+    /// Half of the last digit of a position or feed, in units of the program: the largest rounding error.
     pub fn half_digit(&self, scale: f64) -> f64 {
         0.5 * 10f64.powi(-(self.decimals(scale) as i32)) * (1.0 + 1e-6)
     }
@@ -301,11 +300,11 @@ impl PostDef {
 #[derive(Debug)]
 pub struct Request<'a> {
     pub post: &'static PostDef,
-    /// The job's name, already safe for a comment.
+    /// Name of the job, safe for a comment.
     pub name: &'a str,
     /// The cycle's title.
     pub title: &'a str,
-    /// Whose cycle it is.
+    /// Source of the cycle.
     pub source: &'a str,
     pub form: Form,
     /// Millimetres in a unit of the program.
@@ -313,24 +312,24 @@ pub struct Request<'a> {
     pub plane: Plane,
     /// Ball and overtravel.
     pub setup: &'a Setup,
-    /// Feeds in mm/min; none is rapid.
+    /// Feeds in mm/min; `None` is a rapid.
     pub feeds: &'a Feeds,
     /// Tool number of the probe, for programs that call it; `None` if the probe is in the spindle.
     pub tool: Option<i32>,
-    /// Whether positioning is to be watched by the probe, where the control can.
+    /// Whether positioning is to be watched by the probe, if the control can.
     pub protected: bool,
-    /// Of a dry run by how much the path is lifted, mm: it measures nothing and writes nothing.
+    /// Height of a dry run above the path, mm. A dry run measures and writes nothing.
     pub dry: Option<f64>,
-    /// The work offset to write, 1 = G54; none measures only.
+    /// Work offset to write, 1 = G54; `None` only measures.
     pub work_offset: Option<i32>,
-    /// How far results may be off before the program stops without writing.
+    /// Limits of results, beyond which the program stops without writing.
     pub limits: Limits,
-    /// The angle that the spindle is turned to first, degrees; none is not turned.
+    /// Angle to which the spindle is oriented first, degrees; `None` does not orient it.
     pub orient: Option<f64>,
     /// The probe input of the control, from 1.
     pub probe_input: usize,
     pub report: Report,
-    /// The number of the program, on controls whose programs have one; none takes that of the name.
+    /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     pub path: &'a Path,
     /// The job with every value, for the header.
@@ -340,17 +339,16 @@ pub struct Request<'a> {
     pub numbered: OnceCell<Registers>,
 }
 
-/// Circular moves that are made as straight watched ones leave the circle by no more than this, mm, and by no more than half of what the
-/// ball has free before its touches.
+/// Largest deviation of straight watched moves from the arc that they replace, mm. It is also at most half of the free distance before the touches.
 pub const CHORD_SAG: f64 = 0.02;
 
 impl Request<'_> {
-    /// The angle that the program turns the spindle to.
+    /// Angle to which the program orients the spindle.
     pub fn orients(&self) -> Option<f64> {
         self.orient.filter(|_| self.post.why_not(ORIENT).is_none())
     }
 
-    /// As high as the path ever is.
+    /// Highest position of the path.
     pub fn highest(&self) -> Vec3 {
         let w = self.path.frame.w;
         let ends = self.path.moves.iter().map(|m| m.to).chain(self.path.start);
@@ -358,13 +356,13 @@ impl Request<'_> {
             .unwrap_or(Vec3::ZERO)
     }
 
-    /// Which numbered variable holds what, on controls that have no named ones: checking and printing ask the same.
+    /// Contents of numbered variables, on controls without named ones: checking and printing use the same.
     pub fn registers(&self) -> &Registers {
         self.numbered
             .get_or_init(|| Registers::allocate(self.path, self.when()))
     }
 
-    /// When the program computes: in a set-up as soon as it can, so that no variable is kept through all of its cycles.
+    /// Time at which the program computes: in a set-up as soon as possible, so that no variable is kept through all cycles.
     pub fn when(&self) -> When {
         if self.path.members.is_empty() {
             self.post.when
@@ -373,7 +371,7 @@ impl Request<'_> {
         }
     }
 
-    /// What a program that computes asks of its results.
+    /// Checks of the results in a program that computes.
     pub fn questions(&self) -> Vec<Question> {
         if self.post.computes && self.form == Form::Moves {
             self.path.formula.questions(&self.limits)
@@ -382,7 +380,7 @@ impl Request<'_> {
         }
     }
 
-    /// Whether the program is read back and followed: one of calls is, where native cycles say so.
+    /// Whether the program is read back and traced. A program of native calls is, if the cycles allow it.
     pub fn is_followed(&self) -> bool {
         let calls = self.form == Form::Cycle && self.post.own.is_some_and(|own| !own.followed);
         self.post.read.is_some() && !calls
@@ -393,7 +391,7 @@ impl Request<'_> {
         self.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
     }
 
-    /// The shortest move that must be watched, mm: a shorter one is no probe move. Rounding may move both of its ends.
+    /// Shortest move that must be watched, mm. A shorter one is not a probe move. Rounding may move both of its ends.
     pub fn shortest_watched(&self) -> f64 {
         match self.post.shortest_probe {
             0.0 => 0.0,
@@ -406,13 +404,13 @@ impl Request<'_> {
 pub struct Program {
     /// The text, lines ended by a line feed.
     pub text: String,
-    /// For each move the 0-based line that makes it; `None` if the control makes it without a block.
+    /// The 0-based line of each move; `None` if the control makes the move without a block.
     pub move_lines: Vec<Option<usize>>,
-    /// How many characters a block may have, where one has more.
+    /// Longest block that the control reads, if one is longer.
     pub too_long: Option<usize>,
 }
 
-/// The number of the program of a job with this number and this name; `None` if the control's programs have none.
+/// Number of the program for this number and name of a job; `None` if the control's programs have none.
 pub fn program_number(post: &PostDef, number: Option<i32>, name: &str) -> Option<i32> {
     (!post.unused.contains(&"number")).then(|| number::number(number, name))
 }
@@ -422,14 +420,14 @@ pub fn find(key: &str) -> Option<&'static PostDef> {
     POSTS.iter().copied().find(|p| p.key == key)
 }
 
-/// A user's text made safe for a comment on any control: printable ASCII without anything that could end a comment, start
-/// a block, or mean something to a control. Everything else becomes `_`; what is too long for a line is cut.
+/// A user's text made safe for a comment on any control: printable ASCII without anything that could end a comment, start a block, or have a meaning for a
+/// control. Everything else becomes `_`; a long text is cut.
 pub fn comment_text(text: &str) -> String {
     const LONGEST: usize = 60;
     text.chars().take(LONGEST).map(comment_char).collect()
 }
 
-/// A character as a comment may have it.
+/// A character in a comment.
 fn comment_char(c: char) -> char {
     match c {
         'A'..='Z'
@@ -448,7 +446,7 @@ fn comment_char(c: char) -> char {
     }
 }
 
-/// A control whose programs do not ask along which axis the length of the tool acts.
+/// Note for a control whose programs cannot ask along which axis the tool length acts.
 fn check_length_axis(request: &Request<'_>, checker: &mut Checker) {
     if request.plane == Plane::G17 || request.path.moves.is_empty() {
         return;
@@ -461,7 +459,7 @@ fn check_length_axis(request: &Request<'_>, checker: &mut Checker) {
     checker.warning("tool-length-unchecked", "plane", message);
 }
 
-/// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.
+/// Reports what plain moves cannot do: wait for an operator who positions the probe, or judge tolerances.
 fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     let Some(circles) = request.path.feature.two_circles() else {
         return;
@@ -487,7 +485,7 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// A control that could watch positioning, and is asked not to.
+/// Reports a control that could watch positioning but is told not to.
 fn check_watched(request: &Request<'_>, checker: &mut Checker) {
     if !request.protected && !request.path.moves.is_empty() {
         let message = text!(
@@ -497,7 +495,7 @@ fn check_watched(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// What plain moves cannot do with a rotary table, and why.
+/// Reports what plain moves cannot do with a rotary table, and why.
 fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
     if request
         .path
@@ -513,7 +511,7 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
     }
 }
 
-/// The field that asks for a rotation to be written.
+/// Field that asks for the rotation to be written.
 fn rotation_field(request: &Request<'_>) -> &'static str {
     if request.path.feature.two_circles().is_some() {
         "cycle.confirmRotation"
@@ -522,7 +520,7 @@ fn rotation_field(request: &Request<'_>) -> &'static str {
     }
 }
 
-/// A spindle that is to be turned to an angle by a control whose program cannot.
+/// Reports a spindle angle that the control's program cannot set.
 fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
     if let (Some(_), Some(why)) = (request.orient, request.post.why_not(ORIENT)) {
         checker.warning(
@@ -548,7 +546,7 @@ fn orientation_line(request: &Request<'_>) -> String {
 /// A reset keeps the variables. Touches of one part must not be combined with those of the next.
 const FROM_THE_TOP: &str = "After RESET start at the top, NEVER in the middle: the touches made before it would still count";
 
-/// A work offset that is chosen, and gets nothing.
+/// Reports a chosen work offset that gets no value.
 fn check_write(request: &Request<'_>, checker: &mut Checker) {
     let something = request
         .path
@@ -587,7 +585,7 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// In how many directions that do not follow from each other a path touches.
+/// Number of independent directions in which a path touches.
 fn directions(path: &Path) -> usize {
     let mut found: Vec<Vec3> = Vec::new();
     for touch in &path.touches {
@@ -601,15 +599,14 @@ fn directions(path: &Path) -> usize {
     found.len()
 }
 
-/// The feed of a move on controls whose watched moves need one, mm/min: a watched move has one, and so have the straight moves that make an
-/// arc.
+/// Feed of a move on controls whose watched moves need one, mm/min: watched moves have one, and so do the straight moves that make an arc.
 fn feed_rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
     let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
     stated.or(needed.then_some(STATED_RAPID))
 }
 
-/// How a work offset is called in the RS274 family: G54 … G59, G59.1 ….
+/// Word of a work offset in the RS274 family: G54 … G59, G59.1 ….
 fn work_offset_word(number: i32) -> String {
     match number {
         1..=6 => format!("G{}", 53 + number),

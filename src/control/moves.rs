@@ -1,4 +1,4 @@
-//! A program of moves, walked once: whatever differs between controls is a hook of [`Moves`].
+//! Writes a program of moves in one pass. [`Moves`] has a hook for every difference between controls.
 
 use std::ops::Range;
 
@@ -10,81 +10,80 @@ use crate::geom::Vec3;
 use crate::num::format_count;
 use crate::path::{Move, Purpose, Repeat, Term, Touch};
 
-/// A move of the path, and its place in it.
+/// A move of the path, with its index and start.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a> {
-    /// Its index in the path, from 0.
+    /// Index in the path, from 0.
     pub index: usize,
     pub step: &'a Move,
-    /// Where the ball is before it, once that is known.
+    /// Ball centre before the move, if it is known.
     pub from: Option<Vec3>,
 }
 
-/// What a control writes of its own. The hooks are called in the order of the program.
+/// Hooks of a control, called in the order of the program.
 pub trait Moves {
     /// Everything before the first move: the header, checks of the control's state, modes.
     fn begin(&mut self, w: &mut Writer<'_>);
 
-    /// The moves that each native cycle makes; native cycles compute and write the results, too.
+    /// Moves of each native cycle. Native cycles also compute and write the results.
     fn own_cycles(&self) -> Vec<Range<usize>> {
         Vec::new()
     }
 
-    /// The blocks that call one of these.
+    /// Blocks that call a native cycle.
     fn call(&self, _which: usize, _w: &mut Writer<'_>) {}
 
     /// Approach to the first position from any position of the stylus.
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
 
-    /// A positioning move from a known place.
+    /// A positioning move from a known position.
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>);
 
-    /// A touch, and what a miss leads to.
+    /// A touch, and the reaction to a miss.
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch);
 
-    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put into the empty texts of `stored`. False
-    /// where it keeps none.
+    /// Storage of coordinate `axis` of a sample, and its name there, written into the empty texts of `stored`. False if the control stores nothing.
     fn stores(&self, _sample: usize, _axis: usize, _stored: &mut StoredCoordinate) -> bool {
         false
     }
 
-    /// What is added to a place that these shift, on a control that computes; `scale` is the millimetres in a unit of the program.
+    /// Term added to a position that these variables shift, on a control that computes. `scale` is mm in a unit of the program.
     fn shift(&self, _formula: &Formula, _terms: &[Term], _scale: f64) -> String {
         String::new()
     }
 
-    /// The way back from a touch.
+    /// Emits the retract after a touch.
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
 
-    /// One assignment of the formula. This and the hooks up to `report` do nothing on a control that cannot compute.
+    /// One assignment of the formula. This hook and those up to `report` do nothing on a control that cannot compute.
     fn assign(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
 
-    /// Brings the results where they are read.
+    /// Copies the results to where they are read.
     fn results(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
-    /// Asks whether a result is plausible: where it is not, a program that writes stops with an alarm, any other says so.
+    /// Emits a plausibility check. If it fails, a program that writes stops with an alarm; any other one shows a message.
     fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &Question) {}
 
-    /// The one write of a work offset.
+    /// The single write of a work offset.
     fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
 
     /// Shows the results to the operator.
     fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
-    /// The end, and the exits after it.
+    /// The end of the program, and the exits after it.
     fn end(&mut self, w: &mut Writer<'_>);
 }
 
-/// Where a control keeps a coordinate of a trigger.
+/// Storage of one coordinate of a trigger.
 #[derive(Clone, Debug, Default)]
 pub struct StoredCoordinate {
-    /// The variable it is kept in.
+    /// Variable in which it is stored.
     pub variable: String,
-    /// What the control has it in after a touch.
+    /// Variable of the control that holds it after a touch.
     pub source: String,
     /// Brackets around a sum that is divided.
     pub group: (&'static str, &'static str),
-    /// Brackets around a value of more than one term.
+    /// Brackets around a value with several terms.
     pub whole: (&'static str, &'static str),
     /// A comment after the block.
     pub comment: String,
@@ -143,7 +142,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                     computed += 1;
                 }
             }
-            // Of native cycles alone.
+            // Only in native cycles.
             Purpose::Search(_) => w.leaves_move(),
             Purpose::Back(_) => hooks.back(&mut w, place),
         }
@@ -151,7 +150,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     }
     match own.first() {
         None => conclude(&mut w, request, hooks, computed),
-        // Of given points alone a cycle computes without a move.
+        // If all points are given, a cycle computes without a move.
         Some(own) if own.start == path.moves.len() => hooks.call(0, &mut w),
         Some(_) => {}
     }
@@ -159,7 +158,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     w.finish()
 }
 
-/// What follows from the touches: the rest of the arithmetic, the questions, the one write, the results.
+/// After the touches: the rest of the arithmetic, the checks, the single write, the results.
 fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, computed: usize) {
     let formula = &request.path.formula;
     for index in computed..formula.assignments.len() {
@@ -177,7 +176,7 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
     hooks.report(w, formula);
 }
 
-/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
+/// Stores the coordinates of a touch that the formula needs. Repeated touches of a sample are added up, and divided after the last one.
 fn latch(
     w: &mut Writer<'_>,
     hooks: &dyn Moves,
@@ -224,7 +223,7 @@ fn latch(
     }
 }
 
-/// The straight pieces of a positioning move, each with where it begins.
+/// Straight pieces of a positioning move, each with its start.
 pub fn each_piece(
     request: &Request<'_>,
     place: Step<'_>,

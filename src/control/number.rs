@@ -1,37 +1,37 @@
-//! Numbers as a Fanuc and its kin take them: that of a program, and the digits of a place.
+//! Numbers of a Fanuc and compatible controls: program numbers, and the digits of a position.
 //!
-//! Ours, and marked [I] in the docs: which digits of a name are a number, the length of the comment. Recalled and not verified on a control, [R]: that the list of
-//! programs shows the comment of the O line, and that parameter 3202 usually protects 8000 to 9999.
+//! Ours, and marked [I] in the docs: which digits of a name are a number, the length of the comment. Recalled and not verified on a control [R]: that the list
+//! of programs shows the comment of the O line, and that parameter 3202 usually protects 8000 to 9999.
 
 use crate::control::{Request, comment_text};
 use crate::form::Checker;
 use crate::text::text;
 
-/// The number where none is chosen.
+/// Number if none is chosen.
 const DEFAULT: i32 = 1000;
 
-/// The digits of a constant: more is an alarm on some controls.
+/// Digits of a constant. More are an alarm on some controls.
 pub(super) const DIGITS: usize = 8;
 
-/// The first number that is usually protected.
+/// First number that is usually protected.
 const PROTECTED: i32 = 8000;
 
-/// The most characters of the name on the O line: the control lists no more.
+/// Longest name on the O line: the control lists no more.
 const LONGEST_NAME: usize = 31;
 
-/// The number of the program of a job with this number and this name.
+/// Number of the program for this number and name of a job.
 pub fn number(given: Option<i32>, name: &str) -> i32 {
     given.or_else(|| of_name(name)).unwrap_or(DEFAULT)
 }
 
-/// The number that the job gives the program: its own, else that of its name.
+/// Number that the job gives the program: its own, or that of its name.
 pub(super) fn chosen(request: &Request<'_>) -> Option<i32> {
     request.number.or_else(|| of_name(request.name))
 }
 
-/// The four digits that a name ends in: alone, or after a letter or `_`. After D or X they are a size.
+/// The four digits at the end of a name: after nothing, a letter or `_`. After D or X they are a size.
 fn of_name(name: &str) -> Option<i32> {
-    // As the program has it, so that a program that is read back has the same number.
+    // As in the program, so that a program that is read back has the same number.
     let name = comment_text(name);
     let (before, digits) = name.split_at_checked(name.len().checked_sub(4)?)?;
     let follows = match before.chars().next_back() {
@@ -62,7 +62,7 @@ pub(super) fn line(request: &Request<'_>) -> String {
     }
 }
 
-/// A character of the name as every control takes it. A comma could begin a command, such as `MSG,`.
+/// A character of the name that every control accepts. A comma could begin a command, such as `MSG,`.
 fn listed(c: char) -> char {
     match c.to_ascii_uppercase() {
         c @ ('A'..='Z' | '0'..='9' | ' ' | '.' | '=' | '-') => c,
@@ -70,7 +70,7 @@ fn listed(c: char) -> char {
     }
 }
 
-/// A number that the control may refuse.
+/// Reports a number that the control may refuse.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let Some((number, path)) = high(request) else {
         return;
@@ -82,7 +82,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.warning("number-protected", path, message);
 }
 
-/// A number under which a control that calls macros keeps them: the program would take the place of one. Ours.
+/// Reports a number that a control with macros may use for one of them: the program would overwrite it. Our choice.
 pub(super) fn check_macros(request: &Request<'_>, checker: &mut Checker) {
     let Some((number, path)) = high(request) else {
         return;
@@ -94,7 +94,7 @@ pub(super) fn check_macros(request: &Request<'_>, checker: &mut Checker) {
     checker.warning("number-protected", path, message);
 }
 
-/// A chosen number that is above those of users' programs, and the field that says it.
+/// A chosen number above those of users' programs, and its field.
 fn high(request: &Request<'_>) -> Option<(i32, &'static str)> {
     let number = chosen(request).filter(|n| *n >= PROTECTED)?;
     Some((
@@ -107,7 +107,7 @@ fn high(request: &Request<'_>) -> Option<(i32, &'static str)> {
     ))
 }
 
-/// No place needs more digits than a number may have.
+/// Checks that no position needs more digits than a number may have.
 pub(super) fn check_digits(request: &Request<'_>, checker: &mut Checker) {
     let decimals = request.post.decimals(request.scale);
     let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;

@@ -1,4 +1,4 @@
-//! Work offsets as a Fanuc and its kin call them.
+//! Words of work offsets on a Fanuc and compatible controls.
 
 use crate::control::Request;
 use crate::form::Checker;
@@ -7,7 +7,7 @@ use crate::text::text;
 /// G54 to G59.
 pub(super) const STANDARD: i32 = 6;
 
-/// Those beyond G59 where `G54.1 P` calls them.
+/// Offsets after G59, called by `G54.1 P`.
 pub(super) const MORE: i32 = 48;
 
 /// `G54` … `G59`, `G54.1 P1` ….
@@ -18,7 +18,7 @@ pub(super) fn word(number: i32) -> String {
     }
 }
 
-/// The S of Renishaw's macros: 1 to 6 for G54 to G59, 101 and following for G54.1 P1 [S].
+/// S of Renishaw's macros: 1 to 6 for G54 to G59, 101 and following for G54.1 P1 [S].
 pub(super) fn letter(number: i32) -> f64 {
     f64::from(if number <= STANDARD {
         number
@@ -27,7 +27,7 @@ pub(super) fn letter(number: i32) -> f64 {
     })
 }
 
-/// A work offset that not every control has.
+/// Reports a work offset that not every control has.
 pub(super) fn check_optional(request: &Request<'_>, checker: &mut Checker) {
     let optional =
         |number: i32| number > STANDARD && (request.post.work_offset_word)(number) == word(number);

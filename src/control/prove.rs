@@ -1,4 +1,4 @@
-//! The proof that a program of moves is its path: it is read back, followed move by move, and its arithmetic is held against the formula.
+//! Proof that a program of moves makes its path: the program is read back and traced move by move, and its arithmetic is compared with the formula.
 
 use crate::control::iso::machine::{self, Met, Run, Tail};
 use crate::control::iso::script::{Script, Slot};
@@ -10,7 +10,7 @@ use crate::geom::Vec3;
 use crate::path::{Arc, Follow, Move, Path, Purpose, Shifts, Term, Touch, WAY};
 use crate::text::{Text, text, words};
 
-/// What was proven of a program. There is no way to make one but [`prove`].
+/// Result of a proof. Only [`prove`] creates one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Proof {
     moves: usize,
@@ -19,29 +19,29 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// How many moves of the path the program makes, each where, as and in the line it should.
+    /// Number of moves of the path that the program makes, each with the right position, kind, feed and line.
     pub fn moves(self) -> usize {
         self.moves
     }
 
-    /// How many of them are touches.
+    /// Number of touches among them.
     pub fn touches(self) -> usize {
         self.touches
     }
 
-    /// Whether the program computes the results itself, and the right ones.
+    /// Whether the program computes the results, and they are right.
     pub fn arithmetic(self) -> bool {
         self.arithmetic
     }
 }
 
-/// Where a program is not its path.
+/// A difference between program and path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
-    /// The 0-based line, where it is one line's.
+    /// 0-based line, if the fault belongs to one.
     pub line: Option<usize>,
     pub message: Text,
-    /// Whether its line is understood.
+    /// Whether its line was understood.
     pub understood: bool,
 }
 
@@ -66,35 +66,35 @@ impl Fault {
 /// Assumed start of the stylus above and beside its first position, mm: along abscissa, ordinate and tool axis.
 const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 
-/// A program that was read and followed.
+/// A program that was read back and traced.
 #[derive(Clone, Debug)]
 pub struct Followed<'t> {
     pub script: Script<'t>,
-    /// How it was taken to begin.
+    /// Start of the run.
     pub begin: Run,
-    /// From above the first place to the end.
+    /// Trace from above the first position to the end.
     pub trace: Trace,
-    /// Where the results have their values, to be run again with others.
+    /// Program state when the results have their values, to run the end again with others.
     pub tail: Tail,
-    /// Its motions from below the first place, or below where the job says that the stylus is, up to the first place. None if nothing moves,
-    /// or the control cannot ask.
+    /// Motions from a start below the first position, or below the start in the job, up to the first position. Empty if nothing moves, or the control cannot
+    /// check the start.
     pub below: Vec<Step>,
-    /// The triggers that the touches were given, by their order.
+    /// Triggers of the touches, in order.
     triggers: Vec<Vec3>,
-    /// What the path asks of it.
+    /// Expected trace, from the path.
     expected: Expected,
-    /// What it was followed on, where cycles follow results.
+    /// Triggers and values, if cycles follow results.
     triggered: Option<Triggered>,
 }
 
 impl Followed<'_> {
-    /// How far a move of the path is shifted in it, mm.
+    /// Shift of a move of the path in this trace, mm.
     pub fn shift(&self, index: usize) -> Vec3 {
         self.expected.shift(index)
     }
 
-    /// Whether the program stops, having written nothing, before it moves to a cycle where a result that the cycle follows is `off` its nominal value, in mm
-    /// or degrees. Its limit tells a part that exists from one that is as far off as no part.
+    /// Whether the program stops without writing before it moves to a cycle, if a result that the cycle follows deviates by `off`, mm or degrees. Only
+    /// deviations that a real part can have are tried.
     pub fn stops_before(
         &self,
         request: &Request<'_>,
@@ -110,11 +110,11 @@ impl Followed<'_> {
         let Some((follow, own)) = follow.zip(self.triggered.as_ref()) else {
             return false;
         };
-        // What no place of the part changes is never off.
+        // A value that does not depend on the part never deviates.
         let Some(displaced) = own.displaced(request, follow, off, member) else {
             return true;
         };
-        // No part has a direction that is a turn off, or a size that is many times itself: no touches give that.
+        // No part has a direction that is a turn off, or a size many times its nominal one: no touches give that.
         let reached = (off - displaced.off(request, result)).abs() <= 0.01 * off.abs();
         if !reached && off.abs() > 2.0 * limit {
             return true;
@@ -140,8 +140,8 @@ impl Followed<'_> {
             return false;
         };
         let stands = expected.place(request.path.moves[last].to + expected.shift(last));
-        // As many moves as the cycle before it has behind its last touch lead nowhere else; that touch itself may miss. What puts one result off may put
-        // another one off that is asked about earlier.
+        // The moves of the previous cycle after its last touch lead nowhere else; the last touch itself may miss. A displacement for one result may also
+        // violate the limit of another one that is checked earlier.
         let moves = request.path.moves[..=last].iter().rev();
         let own = moves
             .take_while(|step| !matches!(step.purpose, Purpose::Touch(_)))
@@ -154,16 +154,16 @@ impl Followed<'_> {
     }
 }
 
-/// What a program is followed on.
+/// The part on which a program is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The part of the path: its touches trigger anywhere along their search, and no other move meets anything.
+    /// The part of the path: its touches trigger anywhere along their search, and no other move makes contact.
     Path,
-    /// An unknown one: a probing move meets something where the program takes that for no fault.
+    /// An unknown part: a probing move makes contact if the program does not treat that as a fault.
     Unknown,
 }
 
-/// Reads a program for the control of a request, and follows it.
+/// Reads a program for the control of a request and traces it.
 pub fn follow<'t>(
     request: &Request<'_>,
     text: &'t str,
@@ -208,7 +208,7 @@ pub fn follow<'t>(
     if let Some(triggered) = &triggered {
         triggers.clone_from(&triggered.triggers);
     }
-    // Where nothing is written and no tolerance is asked about, the end of the program does not depend on its results.
+    // If nothing is written and no tolerance is checked, the end of the program does not depend on its results.
     let asks = request.corrects()
         || request
             .questions()
@@ -227,7 +227,7 @@ pub fn follow<'t>(
         .map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
-    // The program of a job with a start position begins there.
+    // The program of a job with a start begins there.
     let stated = request.path.start.map(|start| expected.written(start));
     let start = stated.unwrap_or_else(|| away(AWAY[2]));
     let highest = expected.place(request.highest())[request.plane.axes()[2]] + 2.0 * expected.digit;
@@ -294,7 +294,7 @@ pub fn follow<'t>(
     })
 }
 
-/// Proves that a followed program is the path of the request. `lines`: the line of each move, as the writer reported it.
+/// Proves that a traced program makes the path of the request. `lines`: line of each move, as reported by the writer.
 pub fn prove(
     request: &Request<'_>,
     followed: &Followed<'_>,
@@ -326,15 +326,15 @@ pub fn prove(
     })
 }
 
-/// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each; but not before half of its `way` to
-/// the nominal contact. `share`: of how far it is from there, for results that must stay within a limit.
+/// Trigger of touch `k` in the proof: somewhere along its search and a little aside, different for each touch, but not before half of its `way` to the nominal
+/// contact. `share` reduces the distance from there, for results that must stay within a limit.
 fn trigger(request: &Request<'_>, k: usize, way: f64, share: f64) -> Vec3 {
     let touch = &request.path.touches[k];
     let along = (touch.search * (0.55 * spread(k) - 0.05)).max(-way / 2.0) * share;
     touch.contact(request.setup.radius) - touch.vector * along + aside(k) * share
 }
 
-/// What the proof is followed on where cycles follow results: triggers, and the values that the formula gives for them.
+/// Simulated touches for set-ups whose cycles follow results: triggers, and the values that the formula gives for them.
 #[derive(Clone, Debug)]
 struct Triggered {
     triggers: Vec<Vec3>,
@@ -344,7 +344,7 @@ struct Triggered {
 }
 
 impl Triggered {
-    /// The triggers move with their cycles, and those of a cycle that is followed stay so near that its results are within the limit.
+    /// Moves the triggers with their cycles. Touches of followed cycles stay so close to nominal that their results are within the limits.
     fn of(request: &Request<'_>, triggers: Vec<Vec3>) -> Result<Self, Vec<Fault>> {
         let (samples, directions) = sampled(request, &triggers);
         let path = request.path;
@@ -356,7 +356,8 @@ impl Triggered {
         };
         let begin = path.computed_by(0).start;
         let mut fault = Vec::new();
-        // What a result is off leads the next cycle that far off, and by an arm farther than its own results may be: then all begin nearer.
+        // The deviation of a result shifts the next cycle by as much, or by more through a lever, which may exceed the limits there: then all triggers begin
+        // closer to nominal.
         for first in [0, 1, 2, 4, 8, 16] {
             own.values = Vec::with_capacity(path.formula.assignments.len());
             path.formula
@@ -369,15 +370,15 @@ impl Triggered {
         Err(fault)
     }
 
-    /// Places the touches of a member, whose shifts are known. Where a later cycle follows its results, the triggers come nearer and nearer to the nominal
-    /// contacts until those results are within the limit. `first`: how often they are halved at least.
+    /// Sets the triggers of a member with known shifts. If a later cycle follows its results, the triggers are moved towards the nominal contacts until those
+    /// results are within the limits. `first`: smallest number of halvings.
     fn touch(
         &mut self,
         request: &Request<'_>,
         member: usize,
         first: i32,
     ) -> Result<(), Vec<Fault>> {
-        /// Halved so often, a trigger is nominal to the last digit.
+        /// After so many halvings a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
         let path = request.path;
         let follows = path.members[member + 1..]
@@ -387,7 +388,7 @@ impl Triggered {
             .filter_map(|follow| Some((follow.result, path.is_known_by(follow.result, member)?)));
         let led: Vec<(usize, bool)> = led.collect();
         let first = if led.is_empty() { 0 } else { first };
-        // What comes from a later cycle too is known only there.
+        // Results that depend on a later cycle, too, are known only there.
         let known = led.into_iter().filter(|(_, known)| *known);
         let questions: Vec<Question> = known
             .filter_map(|(result, _)| path.formula.leads(result, &request.limits))
@@ -412,7 +413,7 @@ impl Triggered {
         ))])
     }
 
-    /// The values that follow from the touches of a member.
+    /// Computes the values that depend on the touches of a member.
     fn compute(&mut self, request: &Request<'_>, member: usize) {
         let path = request.path;
         let touches = &path.touches[path.members[member].touches.clone()];
@@ -437,7 +438,7 @@ impl Triggered {
         );
     }
 
-    /// How far a result is off its nominal value.
+    /// Deviation of a result from nominal.
     fn off(&self, request: &Request<'_>, result: usize) -> f64 {
         let def = &request.path.formula.results[result];
         def.variable.map_or(0.0, |variable| {
@@ -445,7 +446,7 @@ impl Triggered {
         })
     }
 
-    /// By how much these values shift a place, mm.
+    /// Shift of a position by these values, mm.
     fn shift(&self, shifts: &Shifts) -> Vec3 {
         let value = |term: &Term| {
             self.values
@@ -455,8 +456,8 @@ impl Triggered {
         Vec3::from_array(shifts.each_ref().map(|terms| terms.iter().map(value).sum()))
     }
 
-    /// The same where the touches of the cycle of a result lie elsewhere, so that the result is off by so much: of a place all of them along its axis, of a
-    /// size or direction each by what it has to do with it. The cycles up to a member lie where that leads them. `None` if that does not change the result.
+    /// Simulated touches with the touches of one cycle displaced, so that a result deviates by a given amount: for a position all touches along its axis, for a
+    /// size or direction each touch by its influence. The cycles up to a member follow. `None` if the displacement does not change the result.
     fn displaced(
         &self,
         request: &Request<'_>,
@@ -464,9 +465,9 @@ impl Triggered {
         off: f64,
         until: usize,
     ) -> Option<Self> {
-        /// A coordinate that changes by less than this for each mm is that of a wall across another axis.
+        /// Smaller derivatives, in mm per mm, belong to walls across another axis.
         const STILL: f64 = 1e-6;
-        /// A direction is no straight function of where its touches lie.
+        /// A direction is not linear in the positions of its touches.
         const ROUNDS: usize = 8;
         let (path, result) = (request.path, *result);
         let sources = path.sources(result);
@@ -487,14 +488,14 @@ impl Triggered {
                 .for_each(|(k, way)| own.triggers[*k] += *way * far);
             (begin..=end).for_each(|member| own.compute(request, member));
         };
-        // How far, a trial says.
+        // A trial displacement gives the slope.
         let before = own.off(request, result);
         move_by(&mut own, 1.0);
         let each = own.off(request, result) - before;
         if each.abs() < STILL {
             return None;
         }
-        // By secants: the corner of two walls at an acute angle is far from a straight function of where its touches lie.
+        // Secant method: the corner of two walls at an acute angle is far from linear in the positions of its touches.
         let mut left = off - before - each;
         let mut far = left / each;
         for _ in 0..ROUNDS {
@@ -510,15 +511,15 @@ impl Triggered {
             if sources.contains(&member) {
                 own.compute(request, member);
             } else {
-                // Where that leaves another result beyond its limit, whatever these touches are, the program may stop for that one.
+                // If another result then exceeds its limit whatever these touches are, the program may stop for that one.
                 let _ = own.touch(request, member, 0);
             }
         }
         Some(own)
     }
 
-    /// Ways of these touches along which a result changes by a unit, if all of them go 1 mm of it: along the probing direction of each, by as much as it
-    /// has to do with the result.
+    /// Displacements of these touches that change a result by one unit if all are scaled to 1 mm: along the probing direction of each touch, by its influence
+    /// on the result.
     fn slopes(&self, request: &Request<'_>, result: usize, touches: &[usize]) -> Vec<Vec3> {
         let Some(variable) = request.path.formula.results[result].variable else {
             return vec![Vec3::ZERO; touches.len()];
@@ -544,7 +545,7 @@ impl Triggered {
             .collect()
     }
 
-    /// By how much each move is shifted.
+    /// Shift of each move.
     fn shifted(&self, path: &Path) -> Shifted {
         let reach = |term: &Term| {
             self.values
@@ -566,7 +567,7 @@ impl Triggered {
     }
 }
 
-/// The touches of a member: which, from where, and the index of its move.
+/// Touches of a member: index of the touch, start, and index of the move.
 fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Option<Vec3>, usize)> {
     let moves = path.members[member].moves.clone();
     moves.filter_map(|i| match path.moves[i].purpose {
@@ -580,43 +581,42 @@ fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Optio
     })
 }
 
-/// By how much the trigger of touch `k` reads aside of where the axes stop: no coordinate is a round number, so that no term of a formula
-/// is nothing by chance.
+/// Sideways offset of the trigger of touch `k` from the stop position: no coordinate is a round number, so that no term of a formula vanishes by chance.
 fn aside(k: usize) -> Vec3 {
     Vec3::new(spread(3 * k + 7), spread(3 * k + 8), spread(3 * k + 9)) * 1e-3
 }
 
-/// The golden ratio spreads evenly over 0 to 1: the parts of its multiples never repeat.
+/// The golden ratio spreads evenly over 0 to 1: the fractional parts of its multiples never repeat.
 fn spread(n: usize) -> f64 {
     ((n as f64 + 1.0) * 0.618_033_988_749_895).fract()
 }
 
-/// What the path asks of a program, in its units.
+/// Expected trace of a program, in its units.
 #[derive(Clone, Debug)]
 struct Expected {
     scale: f64,
-    /// Half of the last digit that a place is written with, and of a feed.
+    /// Half of the last digit of a position and of a feed.
     digit: f64,
-    /// How many last digits a unit has.
+    /// Number of last digits in a unit.
     steps: f64,
-    /// The largest distance of a touch from the origin, mm.
+    /// Largest distance of a touch from the origin, mm.
     far: f64,
-    /// By how much rounded constants may move a place that is as far from the origin as the touches, mm.
+    /// Largest effect of rounded constants on a position as far from the origin as the touches, mm.
     size: f64,
-    /// The touches in the order of the path: which one, and begin and end of its probing move.
+    /// Touches in the order of the path: index, and start and end of the probing move.
     touches: Vec<(usize, (Place, Place))>,
-    /// By how much each move is shifted, mm; empty where none is.
+    /// Shift of each move, mm; empty without shifts.
     shifts: Vec<Vec3>,
-    /// By how much rounded constants may move a place that is shifted, in units of the program.
+    /// Largest effect of rounded constants on a shifted position, in units of the program.
     slack: f64,
 }
 
-/// How far the moves of a program are shifted, and how exactly that is known.
+/// Shifts of a program's moves, with their accuracy.
 #[derive(Debug, Default)]
 struct Shifted {
-    /// Of each move, mm.
+    /// Shift of each move, mm.
     by: Vec<Vec3>,
-    /// What errors of the triggers are multiplied by.
+    /// Factor by which errors of the triggers are multiplied.
     reach: f64,
 }
 
@@ -671,7 +671,7 @@ impl Expected {
         self.shifts.get(index).copied().unwrap_or(Vec3::ZERO)
     }
 
-    /// What a motion meets where it is the next of the touches: `next` counts them.
+    /// Contact of a motion if it is the next touch. `next` counts the touches.
     fn next(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Met {
         let Some((k, (begin, end))) = self.touches.get(*next) else {
             return Met::Nothing;
@@ -687,8 +687,8 @@ impl Expected {
         (place / self.scale).to_array()
     }
 
-    /// What a motion of a program that may be another one meets, where it is one of the touches. Of several in one place, to the last digit, it is the one
-    /// that comes next.
+    /// Contact of a motion in a program that may not match the path, if it is one of the touches. Of several touches at the same position, to the last digit,
+    /// the next one counts.
     fn meets(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Option<Met> {
         let own = |touch: &(usize, (Place, Place))| {
             self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0)
@@ -704,7 +704,7 @@ impl Expected {
         Some(self.contact(step, triggers[self.touches[found].0]))
     }
 
-    /// A contact: the axes stop on the line that the program commands, rounded as it is.
+    /// A contact: the axes stop on the commanded line, rounded like it.
     fn contact(&self, step: &Step, trigger: Vec3) -> Met {
         let (from, to) = (Vec3::from_array(step.from), Vec3::from_array(step.to));
         let (trigger, way) = (trigger / self.scale, (to - from).normalize_or_zero());
@@ -714,21 +714,21 @@ impl Expected {
         )
     }
 
-    /// The place as the program writes it, to its last digit.
+    /// The position as the program prints it, to the last digit.
     fn written(&self, place: Vec3) -> Place {
         let steps = self.steps;
         self.place(place).map(|x| (x * steps).round() / steps)
     }
 
-    /// Equal but for the last digit.
+    /// Whether two positions are equal but for the last digit.
     fn near(&self, a: Place, b: Place) -> bool {
-        // A number of a million has no more digits than that after the point.
+        // A number of a million has no more digits after the decimal point.
         (0..3).all(|axis| {
             (a[axis] - b[axis]).abs() <= self.digit + self.slack + 1e-12 * b[axis].abs()
         })
     }
 
-    /// Every move of the path is in the program, in order, and no other.
+    /// Checks that every move of the path is in the program, in order, and that there is no other.
     fn path(
         &self,
         request: &Request<'_>,
@@ -750,7 +750,7 @@ impl Expected {
             });
             let wanted = self.place(nominal + self.shift(i));
             let mut first = None;
-            // The first place is reached in steps, an arc may be made of straight pieces; any other move is one motion.
+            // The first position is reached in steps, and an arc may consist of straight pieces; any other move is one motion.
             let last = loop {
                 let made = steps
                     .next()
@@ -788,7 +788,7 @@ impl Expected {
         }
     }
 
-    /// Kind and feed of one motion that makes a move, or a piece of it.
+    /// Checks kind and feed of a motion that makes a move or a piece of it.
     fn step(
         &self,
         request: &Request<'_>,
@@ -806,7 +806,7 @@ impl Expected {
             .sum::<f64>()
             .sqrt()
             * self.scale;
-        // A way to a cycle that lies over the one before it is as long as the result shifts it.
+        // A result shifts the length of the link moves to a cycle that is placed above the previous one.
         let nominal = from.map_or(f64::INFINITY, |from| from.distance(step.to));
         let plain = if made.feed.is_some() {
             Kind::Feed
@@ -837,7 +837,7 @@ impl Expected {
                 ),
             ));
         }
-        // The way to the first place goes down at a feed where a rapid there would not be watched.
+        // The approach to the first position goes down at a feed if a rapid would not be watched there.
         let careful =
             from.is_none() && wanted != Kind::Watched && rate.is_none() && made.feed.is_some();
         let rate = if careful {
@@ -883,14 +883,14 @@ impl Expected {
         }
     }
 
-    /// A centre is counted from where the arc begins, which is rounded itself.
+    /// A centre is counted from the start of the arc, which is rounded itself.
     fn near_arc(&self, a: Place, b: Place) -> bool {
         (0..3).all(|axis| {
             (a[axis] - b[axis]).abs() <= 2.0 * self.digit + self.slack + 1e-12 * b[axis].abs()
         })
     }
 
-    /// A straight piece of an arc ends on it, and leaves it by no more than chords may.
+    /// A straight piece of an arc ends on the arc, and deviates from it by no more than chords may.
     fn on_arc(&self, i: usize, arc: &Arc, made: &Step) -> Result<(), Fault> {
         let center = self.place(arc.center);
         let out = |place: Place| {
@@ -928,10 +928,10 @@ fn words(kind: Kind) -> &'static str {
     }
 }
 
-/// The root of what is left where sums of squares cancel: some digits of a double, of the largest place.
+/// Relative error left where sums of squares cancel, as a root: some digits of a double, for the largest position.
 const CANCELLED: f64 = 1e-7;
 
-/// The program's own arithmetic, and what it writes, on the triggers of the proof.
+/// Checks the program's own arithmetic and its write on the triggers of the proof.
 fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> {
     let (path, trace, expected) = (request.path, &followed.trace, &followed.expected);
     if !request.post.computes {
@@ -959,14 +959,14 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
         } else {
             expected.scale
         };
-        // A root mean square moves no more than its places do; at 0 it has no derivative that would say so.
+        // A root mean square changes no more than its positions; at 0 its derivative would not show that.
         let off_by_roots = expected.size + CANCELLED * expected.far;
         let is_of_residuals = result.variable.is_some_and(|own| residuals[own.index()]);
         let same = |x: f64| {
             let off = (x - value.value / unit).abs();
             match result.role {
                 Role::Residual if value.value.is_finite() => off <= off_by_roots,
-                // A relation of two of them.
+                // A relation of two residuals.
                 _ if is_of_residuals && off <= 2.0 * off_by_roots => true,
                 _ => equal(x, value, unit, expected.size),
             }
@@ -997,7 +997,7 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     write(request, trace, &values, expected)
 }
 
-/// The points of the formula: the means of the touches that measure each, and their probing directions.
+/// Samples of the formula: means of the touches of each, and their probing directions.
 fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<Vec3>) {
     let mut points: Vec<(Vec3, f64, Vec3)> = Vec::new();
     for (touch, trigger) in request.path.touches.iter().zip(triggers) {
@@ -1013,7 +1013,7 @@ fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<
         .unzip()
 }
 
-/// For each assignment whether it is a residual, or is computed of one.
+/// Whether each assignment is a residual or is computed from one.
 fn of_residuals(formula: &Formula) -> Vec<bool> {
     let mut all = vec![false; formula.assignments.len()];
     let residuals = formula
@@ -1033,14 +1033,14 @@ fn of_residuals(formula: &Formula) -> Vec<bool> {
     all
 }
 
-/// Equal but for the rounding of constants; what multiplies the errors of the triggers multiplies those of rounding.
+/// Equal within the rounding of constants. The factor for errors of the triggers also applies to rounding.
 fn equal(given: f64, value: &Dual, unit: f64, size: f64) -> bool {
     let reach = 1.0 + value.reach();
     let off = (given - value.value / unit).abs();
     off <= size * reach || (given.is_nan() && value.value.is_nan())
 }
 
-/// After the write the measured point reads its nominal place, and the system is turned by what was measured.
+/// Checks the write: afterwards the measured point must read its nominal position, and the system must be rotated as measured.
 fn write(
     request: &Request<'_>,
     trace: &Trace,
@@ -1083,7 +1083,7 @@ fn write(
             "the work offset is turned by another angle than was measured"
         )));
     }
-    // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
+    // A position p reads n + R(−turn)(p − m) afterwards: m is measured, n nominal.
     let axes = request.plane.axes();
     let (sin, cos) = (-turn.value).to_radians().sin_cos();
     let part = |i: usize| {

@@ -1,10 +1,10 @@
-//! No program leaves without its proof: one of moves is read back and proven equal to its path, and every rule that must hold holds.
+//! Releases programs: a program of moves must be proven equal to its path, and every mandatory safety rule must hold.
 
 use crate::control::prove::{self, Fault, Part, Proof};
 use crate::control::safety::{self, Restarts, Verdict};
 use crate::control::{Form, Program, Request};
 
-/// A program that may be handed out. There is no way to make one but [`release`].
+/// A program that may be handed out. Only [`release`] creates one.
 #[derive(Clone, Debug)]
 pub struct Released {
     program: Program,
@@ -12,30 +12,30 @@ pub struct Released {
     verdicts: Vec<Verdict>,
 }
 
-/// Why a program is not handed out. The first two are faults of the writer.
+/// Reason why a program is not handed out. The first two are faults of the writer.
 #[derive(Clone, Debug)]
 pub enum Refusal {
-    /// Read back it is not the path.
+    /// Read back, it is not the path.
     NotProven(Vec<Fault>),
-    /// Rules that it must hold, and does not.
+    /// It breaks mandatory rules.
     Broken(Vec<Verdict>),
-    /// A block is longer than the control reads: so many characters.
+    /// A block is longer than the control reads; the longest allowed length.
     TooLong(usize),
 }
 
 impl Released {
-    /// The program, what was proven of it (nothing of a native cycle), and what every rule says of it.
+    /// The program, its proof (`None` for native cycles that are not traced), and the verdict of every rule.
     pub fn into_parts(self) -> (Program, Option<Proof>, Vec<Verdict>) {
         (self.program, self.proof, self.verdicts)
     }
 }
 
-/// Reads a written program back, proves it, and asks every rule.
+/// Reads a written program back, proves it, and checks every rule.
 pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refusal> {
     if let Some(most) = program.too_long {
         return Err(Refusal::TooLong(most));
     }
-    // What native cycles do is modelled, and not read out of the program.
+    // Native cycles are simulated, not read from the program.
     if !request.is_followed() {
         return Ok(Released {
             program,

@@ -1,22 +1,22 @@
-//! The names of safety rules that a control may be unable to hold, or that the proof must know of.
+//! Names of safety rules that a control may be unable to guarantee, or that the proof refers to.
 
 /// Positioning is watched.
 pub const WATCHED: &str = "positioning-watched";
-/// A contact in positioning lifts.
+/// A contact in positioning leads to a lift.
 pub const CONTACT_LIFTS: &str = "contact-lifts";
-/// A missed touch lifts.
+/// A missed touch leads to a lift.
 pub const MISS_LIFTS: &str = "missed-touch-lifts";
-/// A low stylus goes up first.
+/// A start below the path goes up first.
 pub const LOW_START: &str = "low-start-goes-up";
-/// No rapid is low.
+/// No rapid is below the clearance plane.
 pub const NO_LOW_RAPID: &str = "no-low-rapid";
 /// A work offset is written once.
 pub const ONE_WRITE: &str = "one-write";
-/// Results are plausible before a work offset is written.
+/// Results are checked before a work offset is written.
 pub const PLAUSIBLE: &str = "plausible-before-write";
-/// What follows from a result that is out of its tolerance.
+/// Results out of tolerance have the action of the job.
 pub const TOLERANCE: &str = "tolerance-obeyed";
-/// A cycle that follows a result goes no farther than the limit of that.
+/// A cycle that follows a result is shifted no farther than the limit of that result.
 pub const PLACE: &str = "place-within-limit";
 /// A restart in the middle writes nothing.
 pub const RESTART: &str = "restart-writes-nothing";

@@ -1,4 +1,4 @@
-//! The safety rules: named, each with a sentence why, held against what a program does and not against how it is written.
+//! Safety rules, each with a reason, checked against the trace of a program and not against its text.
 
 use crate::control::Request;
 use crate::control::iso::machine::{self, Endings, Outcome, Run};
@@ -16,76 +16,76 @@ use crate::text::{Text, text, words};
 #[derive(Debug)]
 pub struct Rule {
     pub name: &'static str,
-    /// What it asks, in a sentence.
+    /// The requirement, in a sentence.
     pub says: &'static str,
     pub why: &'static str,
-    /// Whether a program without it is refused. The others depend on what the job asks for.
+    /// Whether a program that breaks it is refused. The others depend on the job.
     pub must: bool,
-    /// Whether a native cycle answers for it, so that nothing can be said here.
+    /// Whether a native cycle is responsible for it, so that nothing is known here.
     pub own_cycle: bool,
-    /// The lines that it is asked of, 0-based, whether they keep or break it.
+    /// Lines that the rule concerns, 0-based, whether they keep or break it.
     pub about: About,
-    /// The lines that break it, each with what is wrong there.
+    /// Finds the lines that break it, each with its fault.
     pub breaks: fn(&Case<'_>) -> Vec<Break>,
 }
 
-/// Which lines a rule is asked of.
+/// Lines that a rule concerns.
 #[derive(Clone, Copy, Debug)]
 pub enum About {
-    /// That of the first motion.
+    /// Line of the first motion.
     First,
-    /// That of the first touch.
+    /// Line of the first touch.
     FirstTouch,
-    /// That of the last motion.
+    /// Line of the last motion.
     Last,
-    /// Those of some motions.
+    /// Lines of certain motions.
     Motions(fn(&Step) -> bool),
-    /// Those of the motions that are not the way back from a touch.
+    /// Lines of the motions that are not retracts.
     Positioning,
-    /// Those that write to a work offset.
+    /// Lines that write a work offset.
     Writes,
 }
 
-/// A line that breaks a rule: 0-based; none is the whole program.
+/// A violation: the 0-based line, `None` for the whole program, and its description.
 pub type Break = (Option<usize>, Text);
 
-/// From where a program is started again, to see what it writes then.
+/// Blocks at which the program is restarted, to see what it writes then.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Restarts {
-    /// From every block from the first motion on.
+    /// Every block from the first motion on.
     Every,
-    /// From those where most or least has been touched, and those of the write: in a program that was written here, the others lie between.
+    /// The blocks with most and fewest touches done, and those of the write: in a program of the writer the others give nothing else.
     Telling,
 }
 
-/// What a rule looks at.
+/// Input of a rule.
 #[derive(Debug)]
 pub struct Case<'a> {
-    /// What was to be programmed.
+    /// The request of the program.
     pub request: &'a Request<'a>,
     pub followed: &'a Followed<'a>,
     pub restarts: Restarts,
 }
 
-/// What a rule says of a program.
+/// Verdict of a rule on a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
     /// Name of the rule.
     pub rule: &'static str,
-    /// `None` if this control cannot hold it, or its own cycle answers for it.
+    /// Whether the rule holds; `None` if this control cannot guarantee it, or its native cycle is responsible for it.
     pub holds: Option<bool>,
-    /// What the rule asks, what is wrong, or why the control cannot.
+    /// The requirement, the fault, or the reason why the control cannot guarantee it.
     pub message: Text,
-    /// The lines that break it, 0-based.
+    /// Lines that break the rule, 0-based.
     pub lines: Vec<usize>,
-    /// The lines that it was asked of, in their order; those of native cycles where they answer for it.
+    /// Lines that the rule concerns, in order; those of native cycles if they are responsible for it.
     pub about: Vec<usize>,
-    /// Whether a program without it is refused.
+    /// Whether a program that breaks it is refused.
     pub must: bool,
 }
 
 impl Verdict {
-    /// Whether a program is refused for it.
+    /// Whether the program is refused for this rule.
     pub fn refuses(&self) -> bool {
         self.must && self.holds == Some(false)
     }
@@ -257,7 +257,7 @@ pub static RULES: &[Rule] = &[
     },
 ];
 
-/// What every rule says of a program of a native cycle that is not followed.
+/// Verdicts on a program of a native cycle that is not traced.
 pub fn not_followed() -> Vec<Verdict> {
     let message = text!("The control's own cycle makes every move itself");
     RULES
@@ -274,7 +274,7 @@ pub fn not_followed() -> Vec<Verdict> {
         .collect()
 }
 
-/// What every rule says of a followed program.
+/// Verdicts on a traced program.
 pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts) -> Vec<Verdict> {
     let case = Case {
         request,
@@ -287,7 +287,7 @@ pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts)
         .iter()
         .any(|question| question.asked != Asked::Plausible);
     let follows = !request.path.shifts.is_empty();
-    // What no job asks for needs no word.
+    // Rules that no job asks for are not reported.
     let asked =
         |rule: &&Rule| (tolerates || rule.name != TOLERANCE) && (follows || rule.name != PLACE);
     RULES
@@ -352,12 +352,12 @@ impl Case<'_> {
         self.request.plane.axes()[2]
     }
 
-    /// Half of the last digit of a place.
+    /// Half of the last digit of a position.
     fn digit(&self) -> f64 {
         self.request.post.half_digit(self.request.scale)
     }
 
-    /// The lines that a rule is asked of, in the order in which the program comes to them.
+    /// Lines that a rule concerns, in the order in which the program reaches them.
     fn lines(&self, about: About) -> Vec<usize> {
         if let About::Writes = about {
             return self
@@ -385,7 +385,7 @@ impl Case<'_> {
         lines
     }
 
-    /// How many motions lead to the first place, on a control that cannot watch them: it does not know from where.
+    /// Number of motions to the first position, on a control that cannot watch them because it does not know their start.
     fn first_way(&self) -> Option<usize> {
         let Request { path, post, .. } = self.request;
         if post.watches_first || path.start.is_some() {
@@ -403,7 +403,7 @@ impl Case<'_> {
             .map(|last| last + 1)
     }
 
-    /// Motions that are not the way back from a touch: index and motion.
+    /// Motions that are not retracts: index and motion.
     fn positioning(&self) -> impl Iterator<Item = (usize, &Step)> {
         self.steps()
             .iter()
@@ -411,7 +411,7 @@ impl Case<'_> {
             .filter(|(i, _)| self.positions(*i))
     }
 
-    /// Whether a motion is neither a touch nor the way back from one.
+    /// Whether a motion is neither a touch nor a retract.
     fn positions(&self, i: usize) -> bool {
         let (steps, step) = (self.steps(), &self.steps()[i]);
         let after_touch = i
@@ -472,7 +472,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
             text!("This moves with the length of the tool cancelled"),
         ));
     }
-    // The spindle has a rule of its own.
+    // The spindle has its own rule.
     let changed = |now: Modes| {
         Modes {
             spindle: None,
@@ -587,7 +587,7 @@ fn low_start(case: &Case<'_>) -> Vec<Break> {
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
     let shortest = case.request.shortest_watched() / case.request.scale;
     let first_way = case.first_way().unwrap_or(0);
-    // How far the ball has gone without being watched, in pieces that follow each other.
+    // Length of consecutive unwatched pieces.
     let (mut gone, mut last) = (0.0, None);
     case.positioning()
         .filter(|(i, step)| {
@@ -618,12 +618,12 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
     let top = case.level(case.request.highest());
     let tool = case.tool();
     let bad = |step: &&Step| {
-        // Half-way is where the contact was taken to be.
+        // The contact is assumed half-way.
         let met = (step.from[tool] + step.to[tool]) / 2.0;
         let rises = step.to[tool] > step.from[tool] + crate::path::ONE_LEVEL / case.request.scale;
         let free = !rises && met < top - case.digit();
         match step.contact {
-            // As high as the path is within the last digit, a lift is neither needed nor harmful.
+            // At the highest level of the path, within the last digit, a lift is neither needed nor harmful.
             Ending::Exit {
                 lifts,
                 strays,
@@ -786,7 +786,7 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-/// What a program asks of a result: its name, the variable that holds it, and what it should be and may be off by, in the units of the program.
+/// A check of a result in a program: its name, variable, expected value and limit, in the units of the program.
 struct Answer {
     question: Question,
     named: String,
@@ -795,7 +795,7 @@ struct Answer {
     limit: f64,
 }
 
-/// The checks that a program makes. A check that belongs to no result of the program breaks the rule; `line` is the line that is reported.
+/// The checks that a program makes. A check that belongs to no result of the program breaks the rule; `line` is then reported.
 fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
     let of = |question: Question| {
         let formula = &case.request.path.formula;
@@ -824,7 +824,7 @@ fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
     case.request.questions().into_iter().map(of).collect()
 }
 
-/// What runs the end of the program again.
+/// Runs the end of the program again.
 fn endings<'s>(case: &Case<'s>) -> Option<Endings<'s, 's>> {
     let Followed {
         script,
@@ -835,7 +835,7 @@ fn endings<'s>(case: &Case<'s>) -> Option<Endings<'s, 's>> {
     tail.ending(script, *begin)
 }
 
-/// The end of the program where one result, or each, is off by this share of its limit; the others are what they should be.
+/// Outcome of the end of the program if one result, or each, deviates by this share of its limit; the others have their expected values.
 fn outcome(
     endings: &mut Option<Endings<'_, '_>>,
     answers: &[Answer],
@@ -859,14 +859,14 @@ fn outcome(
                 },
         )
     };
-    // Two may be about one result: what one is tried with counts.
+    // Two checks may concern one result: the tried value counts.
     let values = (0..answers.len()).chain(off).map(value);
     endings
         .as_mut()
         .map_or_else(Outcome::default, |endings| endings.outcome(values))
 }
 
-/// The shares of its limit that a result is tried with to be beyond it. A program that was edited is tried far beyond, too.
+/// Shares of its limit at which a result is tried beyond it. An edited program is tried far beyond, too.
 fn beyond(case: &Case<'_>) -> &'static [f64] {
     match case.restarts {
         Restarts::Telling => &[-1.01, 1.01],
@@ -884,7 +884,7 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     };
     asked.retain(|answer| answer.question.stops(true));
     let mut endings = endings(case);
-    // Each single result is beyond its limit, the others are what they should be; then all are beyond, and all a little within.
+    // Each single result is beyond its limit while the others have their expected values; then all are beyond, and all a little within.
     let mut writes = |off: Option<usize>, share: f64| {
         let outcome = outcome(&mut endings, &asked, off, share);
         !outcome.stops || outcome.writes
@@ -934,7 +934,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
             Asked::Marks => false,
             Asked::Stops => true,
         };
-        // Just out of its tolerance: that may be implausible as well, and then the program stops.
+        // Just out of tolerance may be implausible as well; then the program stops.
         let implausible = |value: f64| {
             let of_same = |other: &&Answer| {
                 other.slot == answer.slot && other.question.asked == Asked::Plausible
@@ -1027,7 +1027,7 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     let starts: Vec<usize> = match case.restarts {
         Restarts::Every => (from..script.blocks.len()).collect(),
         Restarts::Telling => {
-            /// So many blocks lead up to a write.
+            /// Number of blocks before a write at which the program is restarted.
             const BEFORE: usize = 6;
             let last = trace.writes.last().map_or(0, |write| block_of(write.line));
             let writing = block_of(write.line).saturating_sub(BEFORE).max(from)..=last;
@@ -1040,14 +1040,14 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
         }
     };
     let empty = vec![script.vacant.unwrap_or(f64::NAN); script.slots];
-    // Those of a part that lay elsewhere: no result is what it should be.
+    // Results of a displaced part: none has its expected value.
     let mut left = tail.last_values().to_vec();
     for (i, (_, slot)) in script.outputs().enumerate() {
         if let Some(value) = left.get_mut(slot as usize) {
             *value += 0.37 + 0.11 * i as f64;
         }
     }
-    // A program that comes to no end has left nothing.
+    // A program that does not end leaves no values.
     let left = if left.len() == script.slots {
         left
     } else {
@@ -1056,7 +1056,7 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     let mut budget = 4 * machine::BUDGET;
     let mut writes = |(i, block): &(usize, &usize)| {
         let left = script.vacant.map(|_| left.as_slice());
-        // The longest way is gone with one of the two.
+        // The longest run is made with one of the two.
         let once = *i == 0 && case.restarts == Restarts::Telling && left.is_some();
         let mut values = left.into_iter().chain((!once).then_some(empty.as_slice()));
         values.any(|values| {
@@ -1099,7 +1099,7 @@ fn ends_above(case: &Case<'_>) -> Vec<Break> {
     let Some(last) = trace.steps.last() else {
         return Vec::new();
     };
-    // 1411 may end where its last touch began: as high as the path itself does.
+    // 1411 may end at the start of its last touch: as high as the path itself.
     let moves = &case.request.path.moves;
     let shift = moves
         .len()

@@ -1,37 +1,37 @@
-//! What a program does, whatever it was written in.
+//! Trace of a program, independent of its language.
 
 use serde::Serialize;
 
 use crate::control::iso::script::Modes;
 
-/// A place, in the units of the program and the work coordinate system.
+/// A position, in the units of the program and the work coordinate system.
 pub type Place = [f64; 3];
 
-/// What a program does when it runs: every motion, what each probing move leads to, what it computes and what it writes.
+/// Effects of a program when it runs: every motion, the consequence of each probing move, computed values and writes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
     /// The motions, in order.
     pub steps: Vec<Step>,
-    /// The modes that the program has stated before the first motion.
+    /// Modes that the program has stated before the first motion.
     pub modes: Modes,
-    /// Motions in other modes than that one: their 0-based lines and those modes, the first few.
+    /// Motions in other modes than the first one: 0-based lines and modes, the first few.
     pub changed: Vec<(usize, Modes)>,
-    /// The line of the first block that switches the spindle on.
+    /// Line of the first block that switches the spindle on.
     pub spun: Option<usize>,
-    /// The results that it gives out: code and value.
+    /// Results that it reports: code and value.
     pub outputs: Vec<(String, f64)>,
-    /// What it writes to work offsets.
+    /// Writes to work offsets.
     pub writes: Vec<Write>,
-    /// Where the ball reads to be in the written work offset after all writes, and by how much that is turned.
+    /// Reading of the ball centre in the written work offset after all writes, and the rotation of the system.
     pub written: Option<Written>,
-    /// The lines of native cycles.
+    /// Lines of native cycles.
     pub natives: Vec<usize>,
-    /// Whether the program comes to its end.
+    /// Whether the program reaches its end.
     pub ends: bool,
 }
 
 impl Trace {
-    /// The lines of the touches, in order.
+    /// Lines of the touches, in order.
     pub fn touch_lines(&self) -> impl Iterator<Item = usize> {
         self.steps
             .iter()
@@ -39,7 +39,7 @@ impl Trace {
             .map(|step| step.line)
     }
 
-    /// A block writes these axes of a work offset, and its rotation.
+    /// Records that a block writes these axes of a work offset, and its rotation.
     pub fn wrote(&mut self, line: usize, number: i32, axes: [bool; 3], turn: bool) {
         let after = self.steps.len();
         let own = (0..3)
@@ -55,44 +55,44 @@ impl Trace {
     }
 }
 
-/// One motion that the program makes.
+/// One motion of the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// The 0-based line that makes it; of a subroutine the line that calls it.
+    /// The 0-based line of the motion; in a subroutine the line of the call.
     pub line: usize,
-    /// Where it begins; an axis that no block has named before is not a number.
+    /// Start; NaN for an axis that no block has named before.
     pub from: Place,
-    /// Where it ends without a contact.
+    /// End without a contact.
     pub to: Place,
-    /// Which axes of that place the program has named.
+    /// Axes of the end that the program has named.
     pub known: [bool; 3],
     pub kind: Kind,
-    /// The feed; none is a rapid.
+    /// Feed; `None` is a rapid.
     pub feed: Option<f64>,
-    /// Whether its own block states that feed.
+    /// Whether its own block states the feed.
     pub own_feed: bool,
-    /// Centre, and whether it runs clockwise, where it is an arc.
+    /// Centre of an arc, and whether it is clockwise.
     pub arc: Option<(Place, bool)>,
-    /// What a contact leads to, where the move is watched.
+    /// Consequence of a contact, if the move is watched.
     pub contact: Ending,
-    /// What a miss leads to, where the move must touch.
+    /// Consequence of a miss, if the move must touch.
     pub miss: Ending,
-    /// What a probing move leads to if the probe is still deflected from the motion before it; `None` if that was watched.
+    /// Consequence if the probe is still deflected from the previous motion; `None` if that was watched.
     pub stuck: Option<Ending>,
 }
 
 impl Step {
-    /// Whether the probe is watched in it.
+    /// Whether the probe is watched during the motion.
     pub fn probes(&self) -> bool {
         matches!(self.kind, Kind::Watched | Kind::Touch | Kind::Unchecked)
     }
 }
 
-/// What a motion does.
+/// Kind of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// As fast as the control can; the probe is not watched.
+    /// At the rapid rate; the probe is not watched.
     Rapid,
     /// At a feed; the probe is not watched.
     Feed,
@@ -100,32 +100,32 @@ pub enum Kind {
     Watched,
     /// A touch: a miss ends the program.
     Touch,
-    /// A probing move without a check: the program continues with and without a contact.
+    /// A probing move without a check: the program continues with or without a contact.
     Unchecked,
 }
 
-/// What the program comes to after a probing move that went the other way.
+/// Consequence of a probing move with the unexpected outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
     /// The program continues, or the move does not probe.
     GoesOn,
     /// The control stops with an alarm at the present position.
     ControlStops,
-    /// The program stops itself with an alarm.
+    /// The program stops with its own alarm.
     Exit {
-        /// The line of the alarm.
+        /// Line of the alarm.
         line: usize,
-        /// Whether it lifts before, straight up the tool axis.
+        /// Whether it lifts before, straight along the tool axis.
         lifts: bool,
-        /// Whether it moves in any other way before.
+        /// Whether it moves in any other direction before.
         strays: bool,
-        /// Whether it writes to a work offset before.
+        /// Whether it writes a work offset before.
         writes: bool,
     },
 }
 
 impl Ending {
-    /// Whether the program comes to a stop.
+    /// Whether the program stops.
     pub fn stops(self) -> bool {
         self != Ending::GoesOn
     }
@@ -138,19 +138,19 @@ pub struct Write {
     pub line: usize,
     /// The number of the offset, 1 = G54.
     pub number: i32,
-    /// The axis, or none for the rotation.
+    /// The axis; `None` is the rotation.
     pub axis: Option<usize>,
-    /// How many motions were made before it.
+    /// Number of motions before it.
     pub after: usize,
 }
 
-/// What a written work offset comes to.
+/// Effect of the writes to a work offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Written {
-    /// A place in the system as it was.
+    /// A position in the previous system.
     pub place: Place,
-    /// What it reads afterwards.
+    /// Its reading afterwards.
     pub reading: Place,
-    /// By how much the system was turned about the tool axis, degrees.
+    /// Rotation of the system about the tool axis, degrees.
     pub turn: f64,
 }

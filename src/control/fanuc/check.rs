@@ -1,4 +1,4 @@
-//! What neither of the two takes, or takes with a warning.
+//! Jobs that Fanuc and Haas do not support, or support with a warning.
 
 use super::{CHANGES, FIRST, LAST};
 use crate::control::{
@@ -9,14 +9,14 @@ use crate::geom::Plane;
 use crate::path::Purpose;
 use crate::text::text;
 
-/// The least that a touch searches, and that it begins before its contact, mm: in less its contact cannot be distinguished from its end, or
-/// from its beginning.
+/// Smallest search distance, and smallest distance from the start of a touch to its contact, mm. With less, a contact cannot be distinguished from the end or
+/// the start of the move.
 const SHORTEST_SEARCH: f64 = 0.2;
 
-/// The feed that a G31 of a Haas must stay below, mm/min, in programs in mm and in inch: its manual says so, since more may damage the probe.
+/// Upper limit of the feed of a Haas G31, mm/min, for programs in mm and in inch: the manual says that more may damage the probe.
 const HAAS_LIMITS: [f64; 2] = [2500.0, 2540.0];
 
-/// The fastest G31 of a Haas.
+/// Checks the feeds of G31 on a Haas.
 pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
     let feeds = request
         .path
@@ -39,7 +39,7 @@ pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// Whether the two can do what is asked for.
+/// Reports what the control cannot do for this request.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
         "G31, skip positions and work offset origins follow posts and macros in use; none of it was run on a control: make a dry run first, with a hand on feed hold. G31 may ignore the feed override"
@@ -120,7 +120,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// Every touch begins far enough before its contact.
+/// Checks that every touch begins far enough before its contact.
 fn check_starts(request: &Request<'_>, checker: &mut Checker) {
     let radius = request.setup.radius;
     let mut ways = request.path.searches().filter_map(|(k, from, _)| {

@@ -1,4 +1,4 @@
-//! What differs between a Fanuc and a Haas.
+//! Differences between Fanuc and Haas.
 
 use crate::path::STATED_RAPID;
 
@@ -6,25 +6,25 @@ use crate::path::STATED_RAPID;
 pub(super) struct Flavour {
     /// The variable with the length of the active tool.
     pub length: &'static str,
-    /// What a rapid runs at where it is watched, mm/min.
+    /// Feed of a watched rapid, mm/min.
     pub rapid: f64,
-    /// What follows a positioning move in its block.
+    /// Suffix of a positioning block.
     pub free: &'static str,
-    /// What follows a touch in its block.
+    /// Suffix of a touch block.
     pub touch: &'static str,
-    /// A block that keeps the control from evaluating later blocks until the motion before it is done.
+    /// A block that keeps the control from evaluating later blocks before the motion before it has ended.
     pub halt: &'static str,
-    /// The block that lets it read ahead again, at the end.
+    /// The block that allows reading ahead again, at the end.
     pub free_again: Option<&'static str>,
     /// Whether the end of the program may clear the common variables.
     pub forgets: bool,
-    /// What the program refuses to move in, in words.
+    /// States in which the program does not move, in words.
     pub refuses: &'static str,
-    /// States in which nothing moves, beside other units, each with what its alarm says: at most 26 characters.
+    /// States in which nothing moves, besides other units, each with the text of its alarm: at most 26 characters.
     pub states: &'static [(&'static str, &'static str)],
-    /// The variable of the origin of the first work offset beyond G59, along X.
+    /// Variable with the X origin of the first work offset after G59.
     pub more_origins: usize,
-    /// What the block that turns the spindle has after M19, before the angle; `None` if M19 turns to the one angle that is set in the control.
+    /// Words after M19 and before the angle, in the block that orients the spindle; `None` if M19 orients to the one angle set in the control.
     pub angle: Option<&'static str>,
 }
 
@@ -37,7 +37,7 @@ pub(super) static PLAIN: Flavour = Flavour {
     free_again: None,
     forgets: true,
     refuses: "Nothing moves in other units, without G43 and an H from 1 to 200, in polar coordinates, under a rotation, a tilted plane, a scale or a mirror",
-    // The two tables of lengths have 200 places each.
+    // The two tables of lengths have 200 entries each.
     states: &[
         ("#4008 NE 43", NO_LENGTH),
         ("#4111 LT 1", "NO H NUMBER IS ACTIVE"),

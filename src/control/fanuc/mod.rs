@@ -1,16 +1,15 @@
-//! Fanuc 30i and its kin, and Haas NGC: plain moves with the skip function G31.
+//! Fanuc 30i and compatible controls, and Haas NGC: plain moves with the skip function G31.
 //!
-//! Sources, as far as anything of this has one: posts for G31 inspection on Mazak, Fanuc and Haas, and what the Renishaw macros do. G31 moves
-//! until the skip signal, or to its end; #5061… hold the ball centre at the skip, or (derived from the posts' comparison; the Classic manual of a
-//! Haas says it) the end where there was none. So every probing move is
-//! followed by a comparison of the two: a touch must have ended before its end, a positioning move must not. On a Haas M78 and M79 in the
-//! block of G31 raise the alarm in the control itself; the comparison follows, too.
-//! #5043 and #5063 have the length of the tool in them, but for Fanucs with parameter 6014 bit 4 set: so the program takes the length from the
-//! tool table, and the first move whose end it knows in Z shows which of the two it is. A macro statement is evaluated while the motion
-//! before it still runs: a block separates the two.
+//! Sources, where there are any: posts for G31 inspection on Mazak, Fanuc and Haas, and the behaviour of the Renishaw macros. G31 moves until the skip signal
+//! or to its end. #5061… hold the ball centre at the skip or, if there was none, the end; this is derived from the posts' comparison and stated by the Classic
+//! manual of a Haas. So every probing move is followed by a comparison of the two: a touch must have ended before its end, a positioning move must not. On a
+//! Haas M78 and M79 in the block of G31 raise the alarm in the control; the comparison follows, too.
+//! #5043 and #5063 include the tool length, except on Fanucs with parameter 6014 bit 4 set. So the program takes the length from the tool table, and the first
+//! move with a known end in Z shows which case it is. A macro statement is evaluated while the motion before it still runs: a block separates the two.
 //!
-//! Ours, and marked [I] in the docs: that comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not
-//! verified on a control, [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, IF … THEN, common variables up to #149, #5221… as the origin that a program may write.
+//! Ours, and marked [I] in the docs: the comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not verified on a control
+//! [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, IF … THEN, common variables up to #149, #5221… as the origin that a program
+//! may write.
 
 mod check;
 mod flavour;
@@ -81,7 +80,7 @@ pub static HAAS: PostDef = PostDef {
     ..KIN
 };
 
-/// What Fanuc and Haas have in common.
+/// Base of Fanuc and Haas.
 const KIN: PostDef = PostDef {
     extension: "nc",
     unused: &["tool", "setUp", "probeInput"],
@@ -105,22 +104,22 @@ const DIALECT: Dialect = Dialect {
     ..writer::PLAIN
 };
 
-/// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
+/// Shortest probing move, mm. In a shorter one a contact could not be distinguished from its end, so positioning is plain. Our choice.
 const SHORTEST_PROBE: f64 = 0.2;
 
-/// What it cannot do, by moves or by the macros.
+/// Reports what moves or macros cannot do for this request.
 fn checked(request: &Request<'_>, checker: &mut Checker) {
     match request.form {
         Form::Moves => check(request, checker),
         Form::Cycle => {
-            // A Haas calls them by the same names.
+            // A Haas uses the same names.
             post::check(request, &CALLS, checker);
             number::check(request, checker);
         }
     }
 }
 
-/// The program, by moves or by the macros.
+/// The program, in moves or with macros.
 fn written(request: &Request<'_>, flavour: &'static Flavour, calls: &Calls) -> Program {
     if request.path.own.is_some() {
         post::emit(request, calls)
@@ -129,7 +128,7 @@ fn written(request: &Request<'_>, flavour: &'static Flavour, calls: &Calls) -> P
     }
 }
 
-/// What the macros say of work offsets and results: S154.01 for G154 P1 of a Haas [S].
+/// Work offsets and results of the macros: S154.01 for G154 P1 of a Haas [S].
 static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
 static HAAS_OWN: OwnCycles = cycles(
     |n| {
@@ -146,11 +145,11 @@ static HAAS_CALLS: Calls = Calls {
     ..CALLS
 };
 
-/// Variables: 100 is the length, those after it hold results and what is needed on the way, 148 is a place aside, 149 the move.
+/// Variables: 100 is the length; results and intermediate values follow; 148 is a spare value, 149 the number of the move.
 const FIRST: usize = 100;
 const LAST: usize = 147;
 
-/// So many axes of an origin may change.
+/// Number of axes whose origin may change.
 const CHANGES: usize = 3;
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
@@ -166,9 +165,9 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     }
 }
 
-/// The feed of a move, mm/min: all but the shortest are watched.
+/// Feed of a move, mm/min. All moves but the shortest are watched.
 fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
-    // The macros have feeds of their own, and true rapids.
+    // The macros have their own feeds, and true rapids.
     if request.path.own.is_some() {
         return request.feeds.rate(step.feed);
     }
@@ -178,8 +177,8 @@ fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
         .or_else(|| feed_rate(request, None, step).map(|_| rapid))
 }
 
-/// The variable of the origin of a work offset along X; Y and Z are the next. Twenty apart: G54 to G59 from 5221 on, and from `more` on those beyond:
-/// G54.1 P1 of a Fanuc from 7001 (recalled), G154 P1 of a Haas from 14001.
+/// Variable with the X origin of a work offset; Y and Z follow. Offsets are twenty apart: G54 to G59 from 5221 on, later ones from `more` on: G54.1 P1 of a
+/// Fanuc from 7001 [R], G154 P1 of a Haas from 14001.
 fn origin(number: i32, more: usize) -> usize {
     let (number, standard) = (
         usize::try_from(number).unwrap_or(1),

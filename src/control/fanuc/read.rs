@@ -1,4 +1,4 @@
-//! Reads Fanuc and Haas programs with G31: the blocks that the writer uses, and their like.
+//! Reads Fanuc and Haas programs with G31: the blocks of the writer and similar ones.
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{Comment, program_number};
@@ -27,7 +27,7 @@ const LIKE_FANUC: Grammar = Grammar {
     takes,
 };
 
-/// System variables. The length of the active tool is in the table at its number, #4111.
+/// System variables. The length of the active tool is the table entry with its number, #4111.
 fn system(name: &[u8]) -> Option<System> {
     match name {
         b"#[2000+#4111]" => return Some(System::Length),
@@ -45,14 +45,14 @@ fn system(name: &[u8]) -> Option<System> {
         5061..=5062 => Some(System::Trigger(number as usize - 5061)),
         5063 => Some(System::TriggerWithLength(2)),
         5083 => Some(System::Length),
-        // Length compensation is active, nothing is turned or scaled.
+        // Length compensation is active; no rotation, no scaling.
         4006 => Some(System::UnitsCode),
         4008 => Some(System::Fixed(43.0)),
         4022 => Some(System::Fixed(50.1)),
         4016 => Some(System::Fixed(69.0)),
         4011 => Some(System::Fixed(50.0)),
         4017 => Some(System::Fixed(15.0)),
-        // The number of the length, of those that the tables have.
+        // Number of a length that the tables have.
         4111 => Some(System::Fixed(7.0)),
         5221..=5339 => origin(5221, 1),
         // G54.1 P1 to P48 of a Fanuc.
@@ -71,7 +71,7 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// M78 and M79 in the block of G31; G103 limits how far the control reads ahead.
+/// M78 and M79 in the block of G31; G103 limits the look-ahead.
 fn haas_takes(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
         (b'M', 780 | 790) => Some(""),
@@ -135,7 +135,7 @@ fn read<'t>(text: &'t str, hand: Hand, grammar: &Grammar) -> Result<Script<'t>, 
     script.straight = true;
     script.vacant = Some(0.0);
     script.ahead = Ahead::ReadsAndActs;
-    // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
+    // Default of parameter 6004. In the other range no angle exceeds 180, from which a program would subtract a turn.
     script.full_circle = true;
     let mut targets = Targets::default();
     let semicolons = lines::with_semicolons(text);
@@ -225,13 +225,13 @@ fn block<'t>(
     Ok(())
 }
 
-/// Whether a variable is the program's: the arguments and the common ones, those from 10000 on of a Haas. All others do something in the control.
+/// Whether a variable belongs to the program: arguments and common variables, those from 10000 on of a Haas. All others act on the control.
 fn own(name: &[u8]) -> bool {
     let number = name.get(1..).and_then(parse::whole);
     number.is_some_and(|number| matches!(number, 1..=33 | 100..=199 | 500..=999 | 10_000..=10_999))
 }
 
-/// `CENTER*X*#101[53]]`: what is printed of a variable, and with how many digits.
+/// `CENTER*X*#101[53]]`: the printed variable and its number of digits.
 fn printing(script: &mut Script<'_>, line: usize, printed: &str) -> Parsed<()> {
     let plain = |c: char| {
         c.is_ascii_uppercase() || c.is_ascii_digit() || matches!(c, '*' | '#' | '[' | ']')
@@ -257,7 +257,7 @@ fn assignment<'t>(
     let value = cursor.value(grammar, script)?;
     match system(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(BlockKind::Alarm),
-        // A message: the program continues when the operator starts it again.
+        // A message: the program continues after cycle start.
         _ if name == b"#3006" && script.number(value).is_some() => Ok(BlockKind::Nothing),
         None if !own(name) => Ok(BlockKind::SetOther(script.slot(name), value)),
         None => Ok(BlockKind::Set(script.slot(name), value)),

@@ -1,4 +1,4 @@
-//! Writes the program: every probing move a G31, compared with its end.
+//! Writes the program: every probing move is a G31 that is compared with its end.
 
 use super::flavour::Flavour;
 use super::{CHANGES, FIRST, SHORTEST_PROBE, origin, rate};
@@ -15,18 +15,18 @@ use crate::path::{Move, Term, Touch};
 /// In-position tolerance, mm: a move that stops closer than this to its end had no contact. Our choice.
 pub(super) const IN_POSITION: f64 = 0.05;
 
-/// Labels of the exits, which come after the end of the program.
+/// Labels of the exits after the end of the program.
 const FREE: &str = "9001";
 const MISSED: &str = "9002";
 const BLOCKED: &str = "9003";
 const ELSEWHERE: &str = "9005";
 const INCOMPLETE: &str = "9006";
 
-/// The first label of the states in which nothing moves, and that of the results that are not plausible; their alarms likewise.
+/// First label of the states in which nothing moves, and first label of implausible results; the numbers of their alarms likewise.
 const STATES: (usize, usize) = (9031, 11);
 const RESULTS: (usize, usize) = (9061, 31);
 
-/// What the value of an assignment changes by in a full turn, degrees, where it is an angle or half of one.
+/// Change of an assignment's value in a full turn, degrees, if it is an angle or half of one.
 fn full_turn(formula: &Formula, node: NodeId) -> Option<i32> {
     let is_angle = |node: NodeId| matches!(formula.node(node), Node::Atan2(..));
     match formula.node(node) {
@@ -51,7 +51,7 @@ fn push_variable(text: &mut String, n: usize) {
     push_count(text, FIRST + n);
 }
 
-/// The program of a request, with what one of the two has of its own.
+/// Writes the program of a request in the flavour of a Fanuc or a Haas.
 pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
     let skip = &mut Skip {
         request,
@@ -70,13 +70,13 @@ struct Skip<'a> {
     flavour: &'static Flavour,
     registers: &'a Registers,
     labels: usize,
-    /// Whether the control may reach the next block while the ball is still moving: the move before it was not probing.
+    /// Whether the control may reach the next block while the ball still moves: the move before it was not a probing move.
     moves_on: bool,
-    /// What the alarms of results that are not plausible say, in the order of their labels.
+    /// Texts of the alarms for implausible results, in the order of their labels.
     implausible: Vec<String>,
 }
 
-/// Writes expressions over these variables.
+/// Prints expressions over these variables.
 struct Variables<'a>(&'a Registers);
 
 impl Notation for Variables<'_> {
@@ -96,13 +96,13 @@ impl Notation for Variables<'_> {
     }
 }
 
-/// A constant has at most eight digits, the zero in front of the point too.
+/// Decimals of a constant: it has at most eight digits, including a zero before the point.
 fn decimals(x: f64) -> usize {
     let whole = x.abs().max(1.0).log10().floor() as usize + 1;
     number::DIGITS.saturating_sub(whole)
 }
 
-/// A constant with its point.
+/// A constant with its decimal point.
 fn constant(x: f64) -> String {
     let text = decimal(x, decimals(x));
     if text.contains('.') {
@@ -112,11 +112,11 @@ fn constant(x: f64) -> String {
     }
 }
 
-/// Where the ball stopped in the last G31, along each axis.
+/// Variables with the stop position of the last G31 along each axis.
 const STOPPED_AT: [&str; 3] = ["#5061", "#5062", "#5063"];
 
 impl Skip<'_> {
-    /// A number of the program, as a value: with its point, and in brackets where it is negative.
+    /// A number as a value: with its point, and in brackets if it is negative.
     fn number(w: &Writer<'_>, mm: f64) -> String {
         let text = w.number(mm);
         if text.starts_with('-') {
@@ -126,12 +126,12 @@ impl Skip<'_> {
         }
     }
 
-    /// How far the ball stopped off the end of a move, along the axes that are known, as a sum.
+    /// Distance of the stop position from the end of a move, as a sum over the known axes.
     fn off(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
         Self::off_place(w, to, axes, |axis| w.shift(axis))
     }
 
-    /// The same for where the move begins.
+    /// Distance of the stop position from the start of a move.
     fn off_begin(w: &Writer<'_>, from: Vec3) -> String {
         Self::off_place(w, from, &[0, 1, 2], |axis| w.begin_shift(axis))
     }
@@ -155,7 +155,7 @@ impl Skip<'_> {
                 sum.push('-');
                 sum.push_str(&place);
             }
-            // Of a sum the signs turn over: no name and no number in it has one.
+            // The signs in the sum are inverted. No name and no number in it contains a sign.
             sum.extend(shift(axis).chars().map(|c| match c {
                 '+' => '-',
                 '-' => '+',
@@ -170,26 +170,26 @@ impl Skip<'_> {
         w.number(IN_POSITION)
     }
 
-    /// A probing move, and the block that keeps the control from reading ahead.
+    /// A probing move, and the block that stops the look-ahead.
     fn probe(&mut self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
         let feed = w.number(rate);
         w.parts(&["G31", words, " F", &feed, alarm]);
         self.halt(w);
     }
 
-    /// Keeps the control from reading ahead.
+    /// Stops the look-ahead.
     fn halt(&mut self, w: &mut Writer<'_>) {
         w.line(self.flavour.halt);
         self.moves_on = false;
     }
 
-    /// A move that is not watched.
+    /// A plain move.
     fn moves(&mut self, w: &mut Writer<'_>, to: Vec3, step: &Move) {
         w.straight("G1", to, true, Some(self.rate(step)));
         self.moves_on = true;
     }
 
-    /// A watched move, and its check on the axes whose places are known.
+    /// A watched move and its check on the axes with known positions.
     fn goes(
         &mut self,
         w: &mut Writer<'_>,
@@ -207,7 +207,7 @@ impl Skip<'_> {
         }
     }
 
-    /// The feed of a move, mm/min.
+    /// Feed of a move, mm/min.
     fn rate(&self, step: &Move) -> f64 {
         rate(self.request, step, self.flavour.rapid).unwrap_or(self.flavour.rapid)
     }
@@ -217,8 +217,8 @@ impl Skip<'_> {
         self.labels.to_string()
     }
 
-    /// After a move, or at a place, whose height is known: what #5043 reads more than that is the length of the tool or nothing. Anything
-    /// else is a contact on the way, or a stylus elsewhere.
+    /// Checks whether #5043 includes the tool length, at a known height: the difference must be the length or 0. Any other value means a contact on the way or
+    /// a stylus elsewhere.
     fn settle(&mut self, w: &mut Writer<'_>, height: f64, exit: &str) {
         let (near, good) = (Self::in_position(w), self.label());
         let set = format!("#148=#5043-{}", Self::number(w, height));
@@ -232,7 +232,7 @@ impl Skip<'_> {
         w.line(&format!("{}=#148", variable(0)));
     }
 
-    /// The variable that counts the touches, and those that hold by how much each axis of the origin changes, where the program writes.
+    /// Variable that counts the touches. If the program writes, the variables with the change of each axis of the origin follow.
     fn count(&self) -> usize {
         self.registers.last + 1
     }
@@ -241,7 +241,7 @@ impl Skip<'_> {
         self.count() + 1 + i
     }
 
-    /// The states in which nothing moves, each with what its alarm says.
+    /// States in which nothing moves, each with the text of its alarm.
     fn states(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let other_units = match self.request.scale == 1.0 {
             true => ("#4006 EQ 20", "SET THE UNITS TO MM"),
@@ -250,14 +250,14 @@ impl Skip<'_> {
         std::iter::once(other_units).chain(self.flavour.states.iter().copied())
     }
 
-    /// What the alarms of these states say, each once.
+    /// Texts of the alarms of these states, each once.
     fn state_alarms(&self) -> Vec<&'static str> {
         let mut alarms: Vec<&str> = self.states().map(|(_, says)| says).collect();
         alarms.dedup();
         alarms
     }
 
-    /// The index of an alarm in `state_alarms`.
+    /// Index of an alarm in `state_alarms`.
     fn alarm_of(&self, says: &str) -> usize {
         self.state_alarms()
             .iter()
@@ -270,7 +270,7 @@ impl Skip<'_> {
     }
 }
 
-/// The most characters of the text of an alarm.
+/// Longest text of an alarm, characters.
 const LONGEST_ALARM: usize = 26;
 
 impl Moves for Skip<'_> {
@@ -336,17 +336,16 @@ impl Moves for Skip<'_> {
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
         w.line("#149=1");
-        // Whether #5043 has the length in it is not known yet: the stylus must be high enough either way, the first for a length above
-        // zero, the second for one below, as tables with machine heights have. Sums of lengths and heights are rounded, and a control reads
-        // its axes in its own steps.
+        // Whether #5043 includes the length is not known yet: the stylus must be high enough in both cases, the first for a positive length, the second for a
+        // negative one, as in tables with machine heights. Sums of lengths and heights are rounded, and a control reads its axes in its own steps.
         let height = Self::number(w, first.to.z - IN_POSITION);
         w.line(&format!(
             "IF [#5043-{} LT {height}] GOTO {ELSEWHERE}",
             variable(0)
         ));
         w.line(&format!("IF [#5043 LT {height}] GOTO {ELSEWHERE}"));
-        // The stylus is above all that the program knows of, but not by how much: a contact does not lift, since a lift to a stated height
-        // could go down.
+        // The stylus is above everything that the program knows, by an unknown distance: a contact does not lift, since a lift to a stated height could go
+        // down.
         let across = w.goes_in_plane(first.to);
         self.goes(w, &across, first.to, first, &[0, 1], BLOCKED);
         w.makes_move();
@@ -375,7 +374,7 @@ impl Moves for Skip<'_> {
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.parts(&["#149=", &format_count(step.index + 1)]);
-        // Before the touch: started after it, the program finds one too few.
+        // Counted before the touch: a program that is started after it counts one too few.
         if self.request.corrects() {
             let count = variable(self.count());
             w.parts(&[&count, "=", &count, "+1"]);
@@ -385,7 +384,7 @@ impl Moves for Skip<'_> {
         let words = w.goes_to_all(end);
         self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
         let near = Self::in_position(w);
-        // A probe that has not settled since the move before would have the start taken for the wall.
+        // A probe that has not settled since the previous move would take the start for the wall.
         if let Some(start) = step.from {
             w.parts(&[
                 "IF [",
@@ -438,7 +437,7 @@ impl Moves for Skip<'_> {
                 self.request.scale,
             );
         });
-        // ATAN gives 0 to 360 or -180 to 180 degrees, as a parameter of the control says (6004 bit 0): the formula means the latter.
+        // ATAN gives 0 to 360 or −180 to 180 degrees, by parameter 6004 bit 0: the formula needs the latter.
         if let Some(turn) = full_turn(formula, formula.assignments[index].node) {
             let angle = variable(self.registers.variables[index]);
             w.line(&format!(
@@ -487,7 +486,7 @@ impl Moves for Skip<'_> {
                 variable(register)
             )
         };
-        // The variable says of which cycle it is, where there is no room for both.
+        // The variable tells the cycle if there is no room for both.
         let whole = says(&formula.code(result));
         let alarm = [whole, says(result.code)]
             .into_iter()
@@ -502,7 +501,7 @@ impl Moves for Skip<'_> {
             w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
             self.implausible.push(alarm);
         } else {
-            // A message, and a wait: no alarm.
+            // A message and a wait, not an alarm.
             let good = self.label();
             w.line(&format!("IF [ABS[{off}] LE {limit}] GOTO {good}"));
             w.line(&format!("#3006={}({alarm})", RESULTS.1));
@@ -510,7 +509,7 @@ impl Moves for Skip<'_> {
         }
     }
 
-    /// The origin moves by what was measured less what is nominal: a work offset has no rotation.
+    /// Shifts the origin by measured minus nominal: a work offset has no rotation.
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
         w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
         let axes = self.request.plane.axes();
@@ -534,7 +533,7 @@ impl Moves for Skip<'_> {
             w.line(&format!("{change}={value}{nominal}"));
             changed.push((axes[i], change));
         }
-        // A program that is started in its middle finds no count and no changes, and writes nothing.
+        // A program that is started in its middle has no count and no changes, and writes nothing.
         let count = variable(self.count());
         w.line(&format!(
             "IF [{count} NE {}] GOTO {INCOMPLETE}",
@@ -613,7 +612,7 @@ impl Moves for Skip<'_> {
 }
 
 impl Skip<'_> {
-    /// What the operator must know before it runs.
+    /// Notes for the operator before the run.
     fn head(&self, w: &mut Writer<'_>) {
         let request = self.request;
         if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
@@ -653,7 +652,7 @@ impl Skip<'_> {
         let top = self.request.highest().z;
         let height = Self::number(w, top);
         let lift = format!("G1 Z{} F{}", w.number(top), w.number(self.rate(first)));
-        // What was touched so far does not count any longer.
+        // Earlier touches no longer count.
         let forget = self
             .request
             .corrects()

@@ -1,11 +1,11 @@
-//! grbl 1.1 and its kin: the moves alone.
+//! grbl 1.1 and compatible controls: programs of moves without results.
 //!
-//! Sources: grbl's motion control and its interface document. grbl has no variables and no arithmetic: after each touch it
-//! reports `[PRB:x,y,z:1]` in machine coordinates, and the sender has to do the rest.
+//! Sources: grbl's motion control and its interface document. grbl has no variables and no arithmetic: after each touch it reports `[PRB:x,y,z:1]` in machine
+//! coordinates, and the sender has to do the rest.
 //!
-//! Positioning that is watched is a chain of `G38.3`: each ends at a contact, and the next probing move finds the probe triggered and raises alarm 4,
-//! whichever of the four it is. A program needs no condition for that. A probing move with no travel is error 33. The program does not know where the
-//! stylus starts, so the way to the first position is not watched. The proof refuses the rare job with a move that rounds to no travel.
+//! Watched positioning is a chain of `G38.3`: each ends at a contact, and the next probing move finds the probe triggered and raises alarm 4, whichever of the
+//! four it is. A program needs no condition for that. A probing move without travel is error 33. The program does not know the start of the stylus, so the
+//! approach to the first position is not watched. The proof refuses the rare job with a move that rounds to no travel.
 
 mod read;
 mod write;
@@ -25,7 +25,7 @@ use crate::text::{text, words};
 
 pub static DEF: PostDef = KIN;
 
-/// grblHAL. Whether it has variables depends on how it was built: they are not used.
+/// grblHAL. Whether it has variables depends on its build; they are not used.
 pub static GRBLHAL: PostDef = PostDef {
     key: "grblhal",
     title: "grblHAL",
@@ -33,7 +33,7 @@ pub static GRBLHAL: PostDef = PostDef {
     ..LATER
 };
 
-/// FluidNC. Its variables hold machine coordinates: they are not used.
+/// FluidNC. Its variables hold machine coordinates; they are not used.
 pub static FLUIDNC: PostDef = PostDef {
     key: "fluidnc",
     title: "FluidNC",
@@ -92,7 +92,7 @@ const CONTACT_STAYS: &str = words!(
 const WRITTEN_BY_THE_SENDER: &str =
     words!("the program is that of grbl and uses no variables: the sender writes the work offset");
 
-/// What they have in common.
+/// Base of grbl, grblHAL and FluidNC.
 const KIN: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
@@ -162,7 +162,7 @@ const KIN: PostDef = PostDef {
 };
 
 const DIALECT: Dialect = Dialect {
-    // grbl 1.1 takes about 80 characters a line, its kin 256.
+    // grbl 1.1 accepts about 80 characters a line, the others 256.
     comment_width: 78,
     longest_block: 78,
     modes: "G40 G61 G80 G90",
@@ -171,7 +171,7 @@ const DIALECT: Dialect = Dialect {
     ..PLAIN
 };
 
-/// Their lines may have 256 characters.
+/// Dialect with lines of up to 256 characters.
 const LONG: Dialect = Dialect {
     comment_width: 120,
     longest_block: 250,
@@ -211,12 +211,12 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// Whether the probe is watched in a move: in positioning, from a known place.
+/// Whether a move is watched: positioning from a known position.
 fn is_watched(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> bool {
     request.protected && step.purpose == Purpose::Position && from.is_some()
 }
 
-/// What is watched has a feed. A rapid that goes down and is not watched runs at the feed of the touches; so does an arc, which needs a feed.
+/// Feed of a move. Watched moves have one. An unwatched rapid downwards runs at the feed of the touches; so does an arc, which needs a feed.
 fn rate(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
     if is_watched(request, from, step) {
@@ -298,7 +298,7 @@ impl Moves for Grbl<'_> {
     }
 }
 
-/// Approach to the first position: in the plane at the present height, then down. grbl cannot read that height.
+/// Approach to the first position: in the plane at the current height, then down. grbl cannot read that height.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     let stated = request.feeds.rate(step.feed);
     let feed = |w: &Writer<'_>, rate: Option<f64>| match rate {

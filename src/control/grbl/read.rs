@@ -1,4 +1,4 @@
-//! Reads grbl programs: words alone. grbl has no variables and no conditions.
+//! Reads grbl programs, which consist of words: grbl has no variables and no conditions.
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment};

@@ -1,4 +1,4 @@
-//! The blocks of the 4xx cycles: head, parameters in the order of the posts, and the dialog texts of posted programs.
+//! Blocks of the 4xx cycles: head, parameters in the order of the posts, and the dialog texts of posted programs.
 
 use crate::control::Request;
 use crate::control::iso::writer::Writer;

@@ -1,9 +1,9 @@
-//! The moves of the control's 4xx cycles, by their Q parameters.
+//! Moves of the control's 4xx cycles, by their Q parameters.
 //!
-//! Read in the control's own pages for 413, 421, 423, 424, 425 and 427 [S]: points in the order of the angle, on an arc between them or over the clearance
-//! height, the first touch of 425 towards plus, all touches from the middle where there is no room, the end at the clearance height. Positioning logic,
-//! 411, 412, 417 and 419 follow a simulator that was written from the manual [S]. Ours [I]: 408, 409, 410 and 426 like the related cycles, the sides of a
-//! rectangle counter-clockwise from the first axis' plus side, a ridge from its plus side.
+//! From the control's own pages for 413, 421, 423, 424, 425 and 427 [S]: points in the order of the angle, on an arc between them or over the clearance height;
+//! the first touch of 425 towards plus; all touches from the middle if there is no room; the end at the clearance height. Positioning logic, 411, 412, 417 and
+//! 419 follow a simulator that was written from the manual [S]. Ours [I]: 408, 409, 410 and 426 like the related cycles, the sides of a rectangle
+//! counter-clockwise from the plus side of the first axis, a ridge from its plus side.
 
 use crate::control::native::heidenhain::row;
 use crate::control::native::rows::{Probed, Shape};
@@ -12,7 +12,7 @@ use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 use crate::path::{Arc, Reach};
 
-/// Runs a cycle by its Q parameters, lengths in mm and angles in degrees: `None` if the cycle or one of its parameters is not known here.
+/// Runs a cycle by its Q parameters, lengths in mm and angles in degrees. `None` if the cycle or one of its parameters is unknown.
 pub fn run(
     number: u16,
     parameters: &[(u16, f64)],
@@ -27,14 +27,14 @@ pub fn run(
         high: of.high?,
         machine,
     };
-    // No circle has more than a turn between two touches: an arc of many turns would take as long to follow.
+    // No circle has more than a turn between two touches, and an arc of many turns would take as long to simulate.
     if of.step.abs() > 360.0 {
         return None;
     }
     let done = match (of.shape, of.inside) {
         (Shape::Bore, _) => cycle.circle(),
         (Shape::Rectangle, _) => cycle.rectangle(),
-        // The cycle that writes begins near each wall and may lift between them. The one that measures goes to both walls from the middle.
+        // The writing cycle begins near each wall and may lift between them. The measuring cycle goes to both walls from the middle.
         (Shape::Width, true) if row.writes == Some(true) => cycle.slot(),
         (Shape::Width, true) => cycle.width(),
         (Shape::Width, false) => cycle.ridge(),
@@ -46,18 +46,18 @@ pub fn run(
 struct Cycle<'c, 'w> {
     of: Probed,
     reach: Reach,
-    /// The clearance height.
+    /// Clearance height.
     high: f64,
     machine: &'c mut Machine<'w>,
 }
 
 impl Cycle<'_, '_> {
-    /// From a surface to the ball's centre where its touch begins.
+    /// Distance from a surface to the ball centre where its touch begins.
     fn aside(&self) -> f64 {
         self.machine.radius + self.reach.set_up + self.of.set_up.unwrap_or(0.0)
     }
 
-    /// The positioning logic: below the clearance height up to it first, then in the plane, then down.
+    /// Positioning logic: from below the clearance height first up to it, then in the plane, then down.
     fn comes(&mut self, to: Vec3) -> Result<(), Alarm> {
         let high = self.machine.at.z.max(self.high);
         let up = self.machine.at.with_z(high);
@@ -66,7 +66,7 @@ impl Cycle<'_, '_> {
         self.machine.goes(to)
     }
 
-    /// A touch towards where the contact should be, and back.
+    /// A touch towards the expected contact, and its retract.
     fn touches(&mut self, contact: Vec3) -> Result<(), Alarm> {
         let towards = (contact - self.machine.at).normalize_or_zero();
         self.machine
@@ -79,12 +79,12 @@ impl Cycle<'_, '_> {
         self.machine.goes(up)
     }
 
-    /// Outwards from a feature, or into it.
+    /// +1 outwards from a feature, −1 into it.
     fn sign(&self) -> f64 {
         if self.of.inside { -1.0 } else { 1.0 }
     }
 
-    /// Touch by touch from the angle of the first on.
+    /// Touches a circle in steps from the first angle on.
     fn circle(&mut self) -> Result<(), Alarm> {
         let Probed {
             center,
@@ -96,7 +96,7 @@ impl Cycle<'_, '_> {
         } = self.of;
         let (half, sign) = (diameter / 2.0, self.sign());
         let off = (half + sign * self.aside()).max(0.0);
-        // From the middle nothing lies between the touches.
+        // From the middle nothing is between the touches.
         let lifts = self.of.lifts && off > 0.0;
         let arc = self.of.arcs && off > 0.0;
         (0..(count as usize).clamp(1, 8)).try_for_each(|k| {
@@ -118,7 +118,7 @@ impl Cycle<'_, '_> {
         })
     }
 
-    /// Four sides, one touch each.
+    /// Four sides with one touch each.
     fn rectangle(&mut self) -> Result<(), Alarm> {
         let center = self.of.center;
         let (halves, sign) = (self.of.sizes.map(|size| size / 2.0), self.sign());
@@ -140,7 +140,7 @@ impl Cycle<'_, '_> {
                 if k == 0 || lifts {
                     self.comes(place)?;
                 } else {
-                    // Round the corner, along the axes.
+                    // Around the corner, along the axes.
                     let before = sides[k - 1];
                     self.machine.goes(place + before.0 * off[before.1])?;
                     self.machine.goes(place)?;
@@ -164,7 +164,7 @@ impl Cycle<'_, '_> {
         })
     }
 
-    /// Touches to both sides of the present position.
+    /// Touches on both sides of the current position.
     fn width(&mut self) -> Result<(), Alarm> {
         let (start, axis) = (self.of.center, self.of.along());
         let across = if axis == Vec3::X { Vec3::Y } else { Vec3::X };
@@ -176,7 +176,7 @@ impl Cycle<'_, '_> {
         self.touches(second - axis * contact)
     }
 
-    /// One side, over the clearance height, the other side.
+    /// One side, across at the clearance height, the other side.
     fn ridge(&mut self) -> Result<(), Alarm> {
         let (points, axis) = (self.of.walls(), self.of.along());
         // Towards the other side.
@@ -188,7 +188,7 @@ impl Cycle<'_, '_> {
         Ok(())
     }
 
-    /// One touch along an axis; along that of the tool down.
+    /// One touch along an axis; along the tool axis downwards.
     fn surface(&mut self) -> Result<(), Alarm> {
         let Probed {
             center,

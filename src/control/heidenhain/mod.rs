@@ -1,8 +1,8 @@
 //! HEIDENHAIN: Klartext programs with native cycles, 1411 and 1493 of a TNC7, 408 to 427 of any TNC.
 //!
-//! The block head, the order of parameters and their comments are those of the manual's example, letter by letter
-//! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a
-//! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
+//! The block head, the order of parameters and their comments follow the manual's example to the letter (`TRANSER POSITION` too); `S50` in the tool call comes
+//! from real programs. Recalled and not verified on a control [R]: that values with a tolerance are printed as `QS1116="10H7"`, the parameters of 1493, `INCH`
+//! in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
 mod blocks;
 pub mod cycles;
@@ -80,7 +80,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     }
 }
 
-/// A program name that the control takes: letters, digits, `_` and `-`.
+/// A program name that the control accepts: letters, digits, `_` and `-`.
 fn program_name(name: &str) -> String {
     let safe: String = name
         .chars()
@@ -120,7 +120,7 @@ struct Klartext<'a> {
 }
 
 impl Klartext<'_> {
-    /// The first and the last block.
+    /// First and last block.
     fn frame(&self, w: &mut Writer<'_>, word: &str) {
         w.parts(&[
             word,
@@ -230,7 +230,7 @@ impl Moves for Klartext<'_> {
     }
 }
 
-/// Angles have three decimals on the control.
+/// Checks angles: the control has three decimals.
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_orientation(request, checker);
     if request.path.own.is_some() {

@@ -3,7 +3,7 @@
 use crate::control::iso::lex::{code, lines_of, without_count, without_number};
 use crate::form::{Value, printable};
 
-/// Whether a block holds this word.
+/// Whether a block contains this word.
 pub fn says(blocks: &[String], word: &str) -> bool {
     blocks
         .iter()
@@ -18,7 +18,7 @@ pub fn is_iso_word(word: &str) -> bool {
         || word == "PROBE"
 }
 
-/// Whether a block moves, or what it calls may.
+/// Whether a block moves, or may call something that moves.
 pub fn moves(words: &[&str]) -> bool {
     const PATHS: [&str; 16] = [
         "L", "LN", "LP", "C", "CR", "CT", "CP", "CTP", "CHF", "RND", "APPR", "DEP", "FL", "FLT",
@@ -31,7 +31,7 @@ pub fn moves(words: &[&str]) -> bool {
     let axis = |word: &str| {
         word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W']) && number(word).is_some()
     };
-    // G4 waits, G79 calls a cycle.
+    // G4 is a dwell, G79 calls a cycle.
     let code = |word: &str| {
         let code = number(word).filter(|_| word.starts_with('G'));
         code.is_some_and(|code| {
@@ -58,9 +58,9 @@ pub fn shown(block: &str) -> String {
     printable(&block.chars().take(60).collect::<String>())
 }
 
-/// What kind of change of the work coordinate system a block states, and whether it is one: it may also end it.
+/// Change of the work coordinate system that a block states, and whether it begins: a block may also end it.
 pub fn transforms(words: &[&str]) -> Option<(&'static str, bool)> {
-    // Zero, an axis alone, and a reset change nothing; a scale of 1 neither.
+    // Zero, a bare axis and a reset change nothing; neither does a scale of 1.
     let value = |word: &&str| {
         word.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == '+')
             .to_owned()
@@ -123,7 +123,7 @@ pub fn transforms(words: &[&str]) -> Option<(&'static str, bool)> {
     }
 }
 
-/// An ISO word that says something of the job.
+/// Whether an ISO word belongs to a job.
 pub fn wanted_iso(word: &str) -> bool {
     matches!(word, "G17" | "G18" | "G19" | "G70" | "G71")
         || word
@@ -131,7 +131,7 @@ pub fn wanted_iso(word: &str) -> bool {
             .is_some_and(|n| n.parse::<i32>().is_ok())
 }
 
-/// The logical blocks of a program: comments, block numbers and continuation signs taken off.
+/// Logical blocks of a program, without comments, block numbers and continuation signs.
 pub fn blocks(text: &str) -> Vec<String> {
     numbered_blocks(text)
         .into_iter()
@@ -139,8 +139,8 @@ pub fn blocks(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// The same, each with the 0-based line in which it begins. `~` continues a block over blank lines and comments. It may also end
-/// a comment on the next line, as the manual prints it.
+/// Logical blocks, each with the 0-based line in which it begins. `~` continues a block over blank lines and comments. It may also end a comment on the next
+/// line, as the manual prints it.
 pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
     let mut blocks: Vec<(usize, String)> = Vec::new();
     let mut goes_on = false;
@@ -175,7 +175,7 @@ pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
 pub enum Given {
     /// A number, or a text in quotes.
     Value(Value),
-    /// PREDEF: what GLOBAL DEF has.
+    /// PREDEF: the value in GLOBAL DEF.
     Predef,
     /// Neither a number, nor a text in quotes, nor PREDEF.
     Unreadable,

@@ -1,4 +1,4 @@
-//! Which 4xx cycles a feature needs, and the path that they make of it: the ones that measure only, or those that write a row of the preset table.
+//! Plans the 4xx cycles for a feature and the path that they make: cycles that only measure, or cycles that write a row of the preset table.
 
 use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
@@ -17,7 +17,7 @@ use crate::path::{
 };
 use crate::text::{Text, text};
 
-/// How nearly directions and places must agree.
+/// Tolerance for equal directions and positions.
 const NEAR: f64 = 1e-6;
 
 pub static CYCLES: OwnCycles = OwnCycles {
@@ -37,10 +37,10 @@ pub static CYCLES: OwnCycles = OwnCycles {
     },
 };
 
-/// The Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: none of them is a cycle's.
+/// Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: no cycle uses them.
 const FREE: (usize, usize) = (1600, 1999);
 
-/// The path that the cycles make of a job's feature, with the calls. 1411 is the documented path itself.
+/// The path of native cycles for a job's feature, with the calls. 1411 is the documented path itself.
 fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let path = request.path;
     if path.feature.two_circles().is_some() {
@@ -95,7 +95,7 @@ fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Res
     cycles::run(*number, &values, reach, machine)
 }
 
-/// A program while it is put together.
+/// A program under construction.
 struct Plan<'a> {
     request: &'a OwnRequest<'a>,
     blocks: Vec<OwnBlock>,
@@ -104,21 +104,21 @@ struct Plan<'a> {
     first: Vec3,
 }
 
-/// The codes of a centre.
+/// Codes of a centre.
 const CENTER: [&str; 2] = ["center.x", "center.y"];
 
 impl Plan<'_> {
-    /// The row that is written; none measures only.
+    /// Number of the preset row that is written; `None` only measures.
     fn row(&self) -> Option<f64> {
         self.request.work_offset.map(f64::from)
     }
 
-    /// The clearance height of a cycle that would be there alone: in a set-up no lower than the ways between the cycles, which they make themselves.
+    /// Clearance height of a cycle. In a set-up it is not below the link moves, which the cycles make themselves.
     fn clearance_height(&self, alone: f64) -> f64 {
         self.request.clear.map_or(alone, |clear| clear.max(alone))
     }
 
-    /// Where the ball crosses between touches, and where the cycles end: as high as the documented path crosses, or begins.
+    /// Height at which the ball crosses between touches and at which the cycles end: as high as the documented path crosses or begins.
     fn high(&self) -> f64 {
         let path = self.request.path;
         let level = path
@@ -140,7 +140,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Q320: what is left of a clearance from the wall to the ball's centre.
+    /// Q320: a clearance from the wall to the ball centre, less the ball radius and SET_UP.
     fn set_up(&self, clearance: Entry) -> Result<f64, Refused> {
         let left = clearance.value - self.request.setup.radius - self.request.set_up;
         if left < -NEAR {
@@ -154,12 +154,12 @@ impl Plan<'_> {
         Ok(left.max(0.0))
     }
 
-    /// Q320 where the job says no clearance: a touch begins as far in front of its contact as it searches behind.
+    /// Q320 if the job gives no clearance: a touch begins as far before its contact as it searches past it.
     fn free_set_up(&self) -> f64 {
         (self.request.setup.overtravel - self.request.set_up).max(0.0)
     }
 
-    /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
+    /// Calls the cycle for a feature. `codes` are those of its results: centre and sizes.
     fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
         let Some(row) = fitting(&ROWS, probed) else {
             return;
@@ -201,7 +201,7 @@ impl Plan<'_> {
         }
     }
 
-    /// A feature about the frame's origin, touched at this height.
+    /// A feature about the origin of the frame, touched at this height.
     fn probed(&self, shape: Shape, inside: bool, set_up: f64) -> Probed {
         let path = self.request.path;
         let height = path.touches.first().map_or(0.0, |touch| touch.point.z);
@@ -214,7 +214,7 @@ impl Plan<'_> {
         }
     }
 
-    /// From a contact to where its touch begins.
+    /// Distance from a contact to the start of its touch.
     fn aside(&self, set_up: f64) -> f64 {
         set_up + self.request.set_up + self.request.setup.radius
     }
@@ -290,7 +290,7 @@ impl Plan<'_> {
             .iter()
             .enumerate()
             .all(|(k, angle)| wrap_degrees(angle - start - step * k as f64).abs() < 1e-4);
-        // As far as our sources go, those that measure only touch four times.
+        // In our sources the measuring cycles touch four times.
         let fewest = if self.row().is_some() { 3 } else { 4 };
         if !(fewest..=4).contains(&angles.len())
             || !even
@@ -361,7 +361,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// Sides along X and Y; the first of the job may lie along Y.
+    /// Sides along X and Y; the first pair of the job may lie along Y.
     fn rectangle(&mut self, pairs: &Pairs, mut sizes: [f64; 2], axis: usize, set_up: f64) {
         let mut codes = ["width1", "width2"];
         if axis == 1 {
@@ -406,7 +406,7 @@ impl Plan<'_> {
         let half = sizes[0] / 2.0;
         let off = match (pairs.internal, writes) {
             (true, true) => (half - self.aside(set_up)).max(0.0),
-            // Touches to both sides of the present position.
+            // Touches on both sides of the current position.
             (true, false) => 0.0,
             (false, _) => half + self.aside(set_up),
         };
@@ -429,7 +429,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// The path that the cycles make on the nominal part.
+    /// The path of the cycles on the nominal part.
     fn finish(mut self, meets: Meets<'_>) -> Result<Path, Refused> {
         if let Some(row) = self.row() {
             self.blocks
@@ -456,7 +456,7 @@ impl Plan<'_> {
     }
 }
 
-/// What stops a cycle.
+/// Message for an alarm in a cycle.
 fn what(alarm: Alarm) -> Text {
     match alarm {
         Alarm::NotFound => text!("a touch makes no contact"),
@@ -464,7 +464,7 @@ fn what(alarm: Alarm) -> Text {
     }
 }
 
-/// What these cycles do otherwise than the job says.
+/// Reports where these cycles differ from the job.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let message = text!(
         "The program calls the control's own cycles: order, feeds and clearances are theirs and the probe table's. Blocks follow posted programs, moves the pages of the control's manual that we have. Nothing of it was run on a control"
@@ -482,7 +482,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         OwnBlock::Cycle(number, _) => row(*number),
         _ => None,
     });
-    // A cycle that writes asks for no limit at all, which is said below.
+    // A writing cycle checks no limit at all; another finding reports that.
     let mut unasked = unasked.filter(|row| row.writes == Some(false) && !row.stops()[1]);
     if let Some(row) = unasked.next().filter(|_| request.limits.position.is_some()) {
         let message = text!(
@@ -506,7 +506,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// The longest search of the path, mm: from where a touch begins to its end.
+/// Longest search of the path, mm: from the start of a touch to its end.
 fn reach(request: &Request<'_>) -> f64 {
     let ways = request.path.searches().filter_map(|(k, from, step)| {
         Some(from?.distance(step.to) + request.path.touches[k].search)
@@ -559,7 +559,7 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
     if let Some(tool) = request.tool {
         w.line(&format!("TOOL CALL {tool} Z S50"));
     }
-    // To where the first touch begins.
+    // To the start of the first touch.
     w.names_cycle(0);
     w.leaves_move();
     let mut made = 1;

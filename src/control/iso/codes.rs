@@ -1,45 +1,44 @@
-//! What G and M codes do: the one table, for every reader. A reader follows what it can of an effect; which codes a strict one takes is its own
-//! judgement.
+//! Effects of G and M codes: one table for every reader. A reader decides which effects it follows and which codes it accepts.
 
 use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 
-/// The ways in which word-address controls give their codes a meaning.
+/// Families of word-address controls that agree on the meaning of codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
-    /// LinuxCNC, grbl, Fanuc, Haas and their kin: where two of them disagree, the axis words are no position.
+    /// LinuxCNC, grbl, Fanuc, Haas and compatible controls. Where two of them disagree, the axis words are not a position.
     Iso,
     Sinumerik,
-    /// DIN/ISO of a HEIDENHAIN.
+    /// DIN/ISO programs of a HEIDENHAIN.
     Heidenhain,
 }
 
-/// How a word shifts every work offset.
+/// Shift of every work offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shift {
-    /// The present position gets the numbers that are given: G92.
+    /// The current position gets the given numbers: G92.
     Position,
-    /// By the values that are given: G52.
+    /// By the given values: G52.
     Value,
-    /// It ends for good: G92.1.
+    /// Ends for good: G92.1.
     End,
-    /// It ends until it is brought back: G92.2.
+    /// Ends until it is restored: G92.2.
     Off,
-    /// It is brought back: G92.3.
+    /// Restores the shift: G92.3.
     Back,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Effect {
-    /// A motion that stays.
+    /// A modal motion.
     Motion(Motion),
-    /// A motion of this block alone.
+    /// A motion of this block only.
     Once(Motion),
-    /// What a contact in the probing move of its block means.
+    /// Meaning of a contact in the probing move of the block.
     Contact(Motion),
-    /// A spline, or an arc without centre and radius: of this block alone, or staying.
+    /// A spline, or an arc without centre and radius; modal or not.
     Curve { stays: bool },
-    /// Axis words are control points from here on (true), or positions again.
+    /// Axis words are control points from here on (true), or positions again (false).
     ControlPoints(bool),
     /// The working plane: G17 to G19.
     Plane(Plane),
@@ -47,78 +46,77 @@ pub enum Effect {
     Metric(bool),
     /// Positions (true) or distances.
     Absolute(bool),
-    /// Centres of arcs as positions (true) or from where the arc begins.
+    /// Centres of arcs as positions (true) or counted from the start of the arc.
     CentersAbsolute(bool),
-    /// Feeds per minute, or otherwise: per turn, or as the time of the block.
+    /// Feeds per minute; otherwise per turn, or as the time of the block.
     PerMinute(bool),
     /// X is a diameter.
     Diameter(bool),
     /// Whether the spindle turns.
     Spindle(bool),
-    /// Every position is reached exactly, or only nearly.
+    /// Every position is reached exactly, or only approximately.
     Exact(bool),
-    /// The length of the tool counts, or no longer.
+    /// Activates or deactivates the tool length.
     Length(bool),
-    /// It counts, by the numbers beside this code, which may be added to what counts.
+    /// Activates the tool length given in this block (G43.1, G43.2). It may be added to the active one.
     LengthGiven { added: bool },
-    /// The modes are kept until they are given back; those of a subprogram (true) at its end.
+    /// Saves the modes until they are restored; those of a subprogram (true) at its end.
     Keep { of_subprogram: bool },
-    /// Drops the modes that were kept.
+    /// Discards the saved modes.
     Forget,
-    /// Restores the modes that were kept.
+    /// Restores the saved modes.
     GiveBack,
     /// Selects a work offset, 1 = G54.
     Offset(i32),
-    /// The same by its number P, counted on from here.
+    /// Selects a work offset by its number P, counted from this one.
     OffsetOf(i32),
-    /// Writes settings, G10: which by L.
+    /// Writes settings (G10); L gives the kind.
     Setting,
-    /// Waits; axis words are its time.
+    /// Dwell; axis words give its time.
     Dwell,
-    /// A cycle runs here and at every later position, until it ends.
+    /// A cycle that runs here and at every later position until it is cancelled.
     Cycle,
-    /// Such a cycle ends.
+    /// Cancels such a cycle.
     CycleEnds,
-    /// Later positions are others than they say: a mirror, a scale, a tilted plane, whose axis words are its own; or compensation of the tool's radius, which
-    /// leaves them positions.
+    /// Transforms later positions: a mirror, a scale, a tilted plane, with its own axis words; or tool radius compensation, which leaves them positions.
     Transform { own_axes: bool },
-    /// Axis words are no position: the end of a scale, limits, poles.
+    /// The axis words are not a position: end of a scale, limits, poles.
     Elsewhere,
     /// A shift of every work offset.
     Shift(Shift),
     /// A rotation about a centre begins (true) or ends.
     Turn(bool),
-    /// Positions are given by a distance from a pole and an angle (true), or along the axes again.
+    /// Positions are polar: distance from a pole and angle (true), or along the axes again.
     Polar(bool),
-    /// Positions of the machine's own system.
+    /// Positions of the machine coordinate system.
     Machine,
-    /// Goes to a position that the machine knows, whether or not axes are named.
+    /// Moves to a position stored in the machine, whether or not axes are named.
     Home,
-    /// Goes and comes back: a rigid tap.
+    /// Moves and returns: rigid tapping.
     ThereAndBack,
-    /// Calls a macro, whose arguments all letters but G are (true), or a native cycle: where it ends is not known.
+    /// Calls a macro whose arguments are all letters but G (true), or a native cycle; the end position is unknown.
     Macro { takes_feed: bool },
     /// Calls a subprogram: 97, 98 or 198.
     Call(u8),
-    /// Back from a subprogram, or to the block whose number is P.
+    /// Returns from a subprogram, or to the block with the number P.
     Return,
     /// Ends the program: M2, M30, on a SINUMERIK M17 too.
     End,
     /// Changes the tool.
     Tool,
-    /// Keeps the control from reading on before the motion is done, or from reading far ahead.
+    /// Stops look-ahead until the motion has ended, or limits it.
     Halt,
-    /// The same, and its axis words are its own.
+    /// Stops look-ahead; the axis words are its own.
     Ahead,
-    /// Sets or stores something, and nothing moves; axis words are its own.
+    /// Sets or stores something without a move; the axis words are its own.
     Sets,
     /// Contains the feed of probing moves.
     ProbeFeed,
-    /// Nothing that changes where a motion goes.
+    /// Nothing that changes the end of a motion.
     Nothing,
 }
 
-/// What a code of this family does, by ten times its number; `None` if that is not known.
+/// Effect of a code in this family, by ten times its number; `None` if it is unknown.
 pub fn effect(family: Family, letter: u8, tenths: i32) -> Option<Effect> {
     match (letter, family) {
         (b'M', _) => auxiliary(family, tenths),
@@ -159,12 +157,12 @@ fn common(tenths: i32) -> Option<Effect> {
     })
 }
 
-/// G codes of LinuxCNC, grbl, Fanuc and Haas beside the common ones.
+/// Further G codes of LinuxCNC, grbl, Fanuc and Haas.
 fn iso(tenths: i32) -> Option<Effect> {
     Some(match tenths {
-        // With its number of a signal, too: G31.1.
+        // Also with the number of a signal: G31.1.
         310..=319 => Effect::Once(Motion::MayTouch),
-        // A thread is cut straight.
+        // A thread is cut along a straight line.
         320 | 330 => Effect::Motion(Motion::Straight),
         331 => Effect::ThereAndBack,
         50 | 51 => Effect::Curve { stays: false },
@@ -177,7 +175,7 @@ fn iso(tenths: i32) -> Option<Effect> {
             added: tenths == 432,
         },
         490 => Effect::Length(false),
-        // On a lathe G50 calls the present position so.
+        // On a lathe G50 sets the current position.
         500 | 920 => Effect::Shift(Shift::Position),
         520 => Effect::Shift(Shift::Value),
         921 => Effect::Shift(Shift::End),
@@ -188,9 +186,9 @@ fn iso(tenths: i32) -> Option<Effect> {
         501 => Effect::Elsewhere,
         // 12.1: polar coordinates of a turned part.
         121 | 510 | 511 | 682..=684 => Effect::Transform { own_axes: true },
-        // Fanuc's: each axis goes farther by the radius, or less far. 112: polar coordinates again, or a work offset of a Haas.
+        // Fanuc: each axis travels farther or less far by the radius. 112: polar coordinates again, or a work offset of a Haas.
         411 | 421 | 450 | 460 | 470 | 480 | 1120 => Effect::Transform { own_axes: false },
-        // A Haas has twenty more, which G154 counts, too.
+        // A Haas has twenty more, which G154 also counts.
         1100..=1290 if tenths % 10 == 0 => Effect::Offset(tenths / 10 - 103),
         591..=593 => Effect::Offset(tenths - 584),
         541 | 1540 => Effect::OffsetOf(6),
@@ -199,14 +197,14 @@ fn iso(tenths: i32) -> Option<Effect> {
         650 | 660 | 661 => Effect::Macro { takes_feed: true },
         280 | 300 => Effect::Home,
         1030 => Effect::Ahead,
-        // Zones, what is watched, and where the machine is: stored as a position to come back to.
+        // Zones, monitoring, and storing of the machine position.
         110 | 220 | 230 | 250 | 260 | 281 | 301 | 1870 => Effect::Sets,
         131 | 401 | 611 | 630 | 670 | 980 | 990 => Effect::Nothing,
         _ => return None,
     })
 }
 
-/// G codes of a SINUMERIK beside the common ones.
+/// Further G codes of a SINUMERIK.
 fn sinumerik(tenths: i32) -> Option<Effect> {
     Some(match tenths {
         330 | 340 | 350 | 3310 | 3320 => Effect::Motion(Motion::Straight),
@@ -226,22 +224,22 @@ fn sinumerik(tenths: i32) -> Option<Effect> {
     })
 }
 
-/// G codes of a HEIDENHAIN's DIN/ISO, where many mean something else.
+/// G codes of HEIDENHAIN's DIN/ISO, where many have another meaning.
 #[cold]
 fn heidenhain(tenths: i32) -> Option<Effect> {
     Some(match tenths {
         0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 900 | 910 => return common(tenths),
         70 => Effect::Motion(Motion::Straight),
-        // Circles without a direction, or tangent to what is before them.
+        // Circles without a direction, or tangent to the previous path.
         50 | 60 => Effect::Curve { stays: true },
         400 => Effect::Nothing,
         410 | 420 | 430 | 440 => Effect::Transform { own_axes: false },
         700 | 710 => Effect::Metric(tenths == 710),
         // Corners, the pole, the blank, the next tool, labels, tools.
         240 | 250 | 260 | 270 | 290 | 300 | 310 | 500 | 510 | 980 | 990 => Effect::Elsewhere,
-        // The datum shift, as cycle 7 of Klartext has it.
+        // The datum shift, as in cycle 7 of Klartext.
         540 => Effect::Shift(Shift::Value),
-        // Mirror, datums of a table, scale, rotation, tilted plane.
+        // Mirror, datum tables, scale, rotation, tilted plane.
         280 | 530 | 720 | 730 | 800 => Effect::Transform { own_axes: true },
         _ => return None,
     })
@@ -274,7 +272,7 @@ fn auxiliary(family: Family, tenths: i32) -> Option<Effect> {
         99 if !sinumerik => Effect::Return,
         // Steps, speeds and limits of a printer's axes.
         17 | 18 | 84 | 92 | 201..=208 | 350 | 566 | 851 | 906 => Effect::Sets,
-        // The feed of the probe, of RepRapFirmware.
+        // The probe feed of RepRapFirmware.
         558 => Effect::ProbeFeed,
         _ => return None,
     })

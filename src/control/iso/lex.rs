@@ -1,11 +1,9 @@
-//! The signs of a program: lines, blanks, comments, numbers of blocks, words and values. Every reader takes them from here; what it makes of them
-//! is its own.
+//! Lexical elements of a program: lines, blanks, comments, block numbers, words and values. Every reader uses them.
 
 use crate::control::iso::script::BLANKS;
 use crate::num::{read, read_digits};
 
-/// Where a line that begins at `at` ends, and where the next one begins. A line ends at a line feed, a carriage return, or both, as editors
-/// count lines.
+/// End of the line that begins at `at`, and start of the next one. A line ends at a line feed, a carriage return, or both, as editors count lines.
 pub fn line_end(text: &[u8], at: usize) -> (usize, usize) {
     let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |length| at + length);
     (
@@ -18,7 +16,7 @@ pub fn line_end(text: &[u8], at: usize) -> (usize, usize) {
     )
 }
 
-/// Takes the next line off a text, without its end.
+/// Takes the next line from a text, without its line end.
 pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
     let text = *rest;
     let (end, next) = line_end(text.as_bytes(), 0);
@@ -31,12 +29,12 @@ pub fn lines_of(text: &str) -> impl Iterator<Item = &str> {
     std::iter::from_fn(move || (!rest.is_empty()).then(|| next_line(&mut rest)))
 }
 
-/// Whether a text has a vertical tab, a form feed or a NUL: no control takes one for a blank, and LinuxCNC's interpreter ends a line at a NUL.
+/// Whether a text has a vertical tab, a form feed or a NUL. No control treats one as a blank, and LinuxCNC's interpreter ends a line at a NUL.
 pub fn hides(text: &str) -> bool {
     memchr::memchr3(0x0b, 0x0c, 0, text.as_bytes()).is_some()
 }
 
-/// A text without the blanks around it: spaces and tabs, as controls have them. Nearly always there are none.
+/// A text without surrounding blanks: spaces and tabs, as on controls. Most texts have none.
 pub fn trimmed(text: &str) -> &str {
     match text.as_bytes() {
         [] => text,
@@ -45,7 +43,7 @@ pub fn trimmed(text: &str) -> &str {
     }
 }
 
-/// The rest of a text behind a beginning, in small letters or capitals.
+/// The rest of a text after a prefix in small letters or capitals.
 pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
     let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
     same.then(|| &text[beginning.len()..])
@@ -53,13 +51,13 @@ pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comment<'t> {
-    /// What begins it: `(` or `;`. Some comments do something, and only after one of them.
+    /// Its first character, `(` or `;`: some comments have an effect only after one of them.
     pub sign: u8,
-    /// Without its brackets or its sign.
+    /// The text without its brackets or sign.
     pub text: &'t str,
 }
 
-/// Where the first comment of a line begins: at a `;`, or at a `(` where that begins one. A sign inside a text begins none.
+/// Start of the first comment of a line: at a `;`, or at a `(` if it begins a comment. A sign inside quotes does not.
 pub fn comment_at(line: &[u8], round: bool) -> Option<usize> {
     let first = if round {
         memchr::memchr3(b'(', b';', b'"', line)
@@ -76,23 +74,23 @@ pub fn comment_at(line: &[u8], round: bool) -> Option<usize> {
         .map(|at| first + at)
 }
 
-/// A line up to its first comment.
+/// The line up to its first comment.
 pub fn code(line: &str, round: bool) -> &str {
     &line[..comment_at(line.as_bytes(), round).unwrap_or(line.len())]
 }
 
-/// The head of a block: what precedes its words.
+/// The part of a block before its words.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Head {
-    /// `/`: where block skip is on, the control leaves the block out.
+    /// `/`: with block skip on, the control omits the block.
     pub skips: bool,
     /// The number of the block, `N10` or `:10`.
     pub number: Option<u32>,
-    /// The byte at which the words begin.
+    /// Byte at which the words begin.
     pub end: usize,
 }
 
-/// The head of a block. An `N` without digits, or with a point behind them, is a word.
+/// The part of a block before its words. An `N` without digits, or with a decimal point after them, is a word.
 pub fn head(line: &[u8]) -> Head {
     let mut head = Head::default();
     while let Some(sign @ (b'/' | b':' | b'N' | b'n')) = line.get(head.end) {
@@ -125,7 +123,7 @@ pub fn without_number(code: &str) -> &str {
     if head.skips { code } else { &code[head.end..] }
 }
 
-/// The same of a Klartext block, whose number has no letter: `12 TCH PROBE`, `12 ; a comment`.
+/// A Klartext block without its number, which has no letter: `12 TCH PROBE`, `12 ; a comment`.
 pub fn without_count(line: &str) -> &str {
     let rest = line.trim_start_matches(|c: char| c.is_ascii_digit());
     if rest.is_empty() || rest.starts_with(char::is_whitespace) {
@@ -135,7 +133,7 @@ pub fn without_count(line: &str) -> &str {
     }
 }
 
-/// The number of a program, which is alone in its line: `O100 (A COMMENT)`.
+/// Number of a program on its own line: `O100 (A COMMENT)`.
 pub fn program_number(line: &[u8]) -> Option<u32> {
     let [b'O' | b'o', rest @ ..] = line else {
         return None;
@@ -148,7 +146,7 @@ pub fn program_number(line: &[u8]) -> Option<u32> {
     whole(&rest[..digits]).filter(|_| alone)
 }
 
-/// The number that digits make, the largest there is where they make a larger one.
+/// The number of these digits, or the largest possible one if they exceed it.
 fn whole(digits: &[u8]) -> Option<u32> {
     let more = |sum: u32, digit: &u8| {
         sum.saturating_mul(10)
@@ -157,10 +155,10 @@ fn whole(digits: &[u8]) -> Option<u32> {
     (!digits.is_empty()).then(|| digits.iter().fold(0, more))
 }
 
-/// One sign of a block, or one number of it: `X1.0` and `X 1` are the same.
+/// A sign or a number of a block: `X1.0` and `X 1` are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Token {
-    /// A sign that is no blank, in capitals.
+    /// A non-blank sign, in capitals.
     Sign(u8),
     /// A number without its sign.
     Number(f64),
@@ -198,7 +196,7 @@ pub fn leads(line: &[u8], begin: usize, at: usize) -> bool {
     before.is_empty()
 }
 
-/// A number, and where it ends.
+/// A number and its end.
 pub fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     let negative = line.get(at) == Some(&b'-');
     let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
@@ -206,7 +204,7 @@ pub fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((if negative { -size } else { size }, first + length))
 }
 
-/// After the bracket that closes; the end of the line where none does.
+/// Position after the closing bracket; the end of the line if there is none.
 pub fn end_of(line: &[u8], at: usize, close: u8) -> usize {
     line[at..]
         .iter()
@@ -214,7 +212,7 @@ pub fn end_of(line: &[u8], at: usize, close: u8) -> usize {
         .map_or(line.len(), |n| at + n + 1)
 }
 
-/// After a value that is not a plain number: brackets belong together.
+/// Position after a value that is not a plain number. Brackets are matched.
 pub fn end_of_value(line: &[u8], at: usize) -> usize {
     let mut depth = 0usize;
     for (n, b) in line.iter().enumerate().skip(at) {
@@ -227,7 +225,7 @@ pub fn end_of_value(line: &[u8], at: usize) -> usize {
                 }
             }
             b' ' | b'\t' | b';' if depth == 0 => return n,
-            // `#5` ends where the next word begins.
+            // `#5` ends at the next word.
             b if depth == 0 && n > at && line[at] == b'#' && b.is_ascii_alphabetic() => return n,
             _ => {}
         }
@@ -235,7 +233,7 @@ pub fn end_of_value(line: &[u8], at: usize) -> usize {
     line.len()
 }
 
-/// Where the next word begins after something that is no word: a letter with a value, outside of brackets and comments.
+/// Start of the next word after something that is not a word: a letter with a value, outside of brackets and comments.
 pub fn next_word(line: &[u8], at: usize) -> usize {
     let mut depth = 0usize;
     for n in at + 1..line.len() {
@@ -253,7 +251,7 @@ pub fn next_word(line: &[u8], at: usize) -> usize {
     line.len()
 }
 
-/// Whether what follows a letter may be a value.
+/// Whether a value may follow a letter.
 pub fn valued(line: &[u8], at: usize) -> bool {
     line.get(at + 1)
         .is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))

@@ -1,4 +1,4 @@
-//! A program line by line, as the strict readers take it: what a control would read otherwise is refused.
+//! Reads a program line by line for the strict readers: a line that a control would read differently is refused.
 
 use crate::control::iso::lex::{self, Comment, comment_at, hides, lines_of, next_line, trimmed};
 use crate::control::iso::memory::{Before, Hand, Memory};
@@ -8,7 +8,7 @@ use crate::control::iso::targets::{Later, Targets};
 use crate::geom::AXIS_NAMES;
 use crate::text::{Text, text};
 
-/// The code of a line and its comment. A sign inside a text begins none.
+/// The code of a line and its comment. A sign inside quotes does not begin one.
 pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)> {
     let Some(at) = comment_at(line.as_bytes(), sign == b'(') else {
         return Ok((line, None));
@@ -27,7 +27,7 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)
     Ok((code, Some(Comment { sign, text: inner })))
 }
 
-/// Where the header says that the ball is before the start: `The stylus is taken to be at X0 Y0 Z100 before the start`.
+/// Start of the ball in the header: `The stylus is taken to be at X0 Y0 Z100 before the start`.
 pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
     const HEAD: &str = "The stylus is taken to be at ";
     let words = comment
@@ -41,10 +41,9 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
     Some([place[0]?, place[1]?, place[2]?])
 }
 
-/// What a control reads lines as.
+/// Reader of the lines of one control.
 pub trait Blocks<'t> {
-    /// Reads a line: its number, its code, its comment. What it says is a function of its text and of [`Targets::place`] alone, or it says so in
-    /// [`Targets::depends`].
+    /// Reads a line: number, code, comment. The result depends only on its text and on [`Targets::place`], or [`Targets::depends`] is set.
     fn block(
         &mut self,
         script: &mut Script<'t>,
@@ -54,16 +53,16 @@ pub trait Blocks<'t> {
         comment: Option<Comment<'t>>,
     ) -> Parsed<()>;
 
-    /// Carries out [`Targets::later`], behind the last block.
+    /// Carries out [`Targets::later`] after the last block.
     fn later(&mut self, _: &mut Script<'t>, _: &mut Targets<'t>, _: Later<'t>) -> Parsed<()> {
         Ok(())
     }
 }
 
-/// So many lines that are not understood are listed: after them a text is no program of this control, and is not read on.
+/// Largest number of listed lines that are not understood. After them the text is not a program of this control, and reading stops.
 const MOST_TROUBLES: usize = 200;
 
-/// Reads line by line. The lines that are not understood are listed.
+/// Reads line by line and lists the lines that are not understood.
 pub fn lines<'t>(
     text: &'t str,
     (hand, sign): (Hand, u8),
@@ -76,7 +75,7 @@ pub fn lines<'t>(
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let hidden_any = hides(text);
     let mut begun = false;
-    // Whether a carriage return without a line feed has text before it.
+    // Whether there was text before a carriage return without a line feed.
     let mut returned = false;
     let mut rest = text;
     for line in 0.. {
@@ -86,7 +85,7 @@ pub fn lines<'t>(
         let full = next_line(&mut rest);
         let returns = text.as_bytes()[..text.len() - rest.len()].ends_with(b"\r");
         let place = (hand, targets.place);
-        // A line that was read before says something, and nothing is wrong with it.
+        // The line was read before, and it is correct.
         if !returned
             && let Some(begins) = memory
                 .as_mut()
@@ -159,7 +158,7 @@ pub fn lines<'t>(
         {
             memory.keep(full, (place, begins), before, script, targets);
         }
-        // What is wrong behind it is only seen after it.
+        // A fault after it is reported after it.
         if let Err(message) = later(reader, script, targets).and(read) {
             troubles.push(Trouble {
                 line,
@@ -188,7 +187,7 @@ fn later<'t>(
         .map_or(Ok(()), |later| reader.later(script, targets, later))
 }
 
-/// Whether the text after a tape sign is no code: empty, a comment, a number, or the name of an archive, `_N_PART_MPF`.
+/// Whether the text after a tape sign is not code: empty, a comment, a number, or the name of an archive, `_N_PART_MPF`.
 fn is_tape_name(behind: &str) -> bool {
     let Ok((code, _)) = split_comment(behind, b'(') else {
         return false;
@@ -199,12 +198,12 @@ fn is_tape_name(behind: &str) -> bool {
     code.bytes().all(|b| b.is_ascii_digit()) || !name.is_empty() && name.bytes().all(named)
 }
 
-/// What is wrong with such a line.
+/// Fault of such a line.
 pub fn hidden() -> Text {
     text!("a vertical tab, a form feed or a NUL: controls do not take it as a blank")
 }
 
-/// The lines with a semicolon, for a control that has no such comments.
+/// Lines with a semicolon, for a control without such comments.
 pub fn with_semicolons(text: &str) -> Vec<Trouble> {
     let mut troubles = Vec::new();
     let mut rest = text;

@@ -1,8 +1,7 @@
-//! Lines that were read before. What a line says is a function of its text and its control, until its names are resolved: nine of ten lines of a
-//! program stood in an earlier one, so what they say is kept, and put into the next program with the variables that the names have there.
+//! Cache of lines that were read before. The meaning of a line depends only on its text and its control, until its names are resolved. Nine of ten lines of a
+//! program were in an earlier one, so their meaning is stored and copied into the next program with the variables that the names have there.
 //!
-//! A line is found again by its whole text. What is kept changes no result: a program is read the same with any memory and with none, which the
-//! fuzzer holds against each other.
+//! A line is found by its whole text. The cache changes no result: a program is read the same with any cache and with none. The fuzzer checks this.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -14,7 +13,7 @@ use rustc_hash::FxHasher;
 use crate::control::iso::script::{Block, BlockKind, Node, NodeId, Script, Slot};
 use crate::control::iso::targets::{Later, Targets};
 
-/// The reader that a line is kept for.
+/// Reader that a line belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hand {
     LinuxCnc,
@@ -24,19 +23,18 @@ pub enum Hand {
     Sinumerik,
 }
 
-/// So many lines are kept, in pairs: each in the pair that its text leads to, where the last two are that came twice.
+/// Number of stored lines, in pairs: a pair has the last two lines with its hash that came twice.
 const LINES: usize = 16384;
 
-/// Longer lines, and those that say more, are read anew: with these limits the memory takes some twenty megabytes at the very most, of real
-/// programs a fifth of that.
+/// Longer lines, and lines with more contents, are read anew. With these limits the cache takes at most twenty megabytes, for real programs a fifth of that.
 const LONGEST: usize = 200;
 const MOST_NODES: usize = 40;
 const MOST_NAMES: usize = 12;
 
-/// So many names are known. After more of them everything is forgotten.
+/// Number of known names. Beyond it the cache is cleared.
 const MOST_KNOWN: usize = 8000;
 
-/// In place of a variable: this program has not named it yet.
+/// Placeholder of a variable that this program has not named yet.
 const NOT_YET: Slot = Slot::MAX;
 
 thread_local! {
@@ -44,7 +42,7 @@ thread_local! {
     static OFF: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Does something with every program read anew: the slow twin that the memory is held against.
+/// Runs `work` without the cache: the slow counterpart for comparison.
 pub fn without<T>(work: impl FnOnce() -> T) -> T {
     let before = OFF.replace(true);
     let done = work();
@@ -52,17 +50,17 @@ pub fn without<T>(work: impl FnOnce() -> T) -> T {
     done
 }
 
-/// A part of a line: where it begins, and its length.
+/// A part of a line: start and length.
 type Part = (u8, u8);
 
-/// What a line says. Its values are counted from its own first one, its blocks from its own first one, and variables are in the order of its names.
+/// Meaning of a line. Values and blocks are counted from its own first ones, and variables are in the order of its names.
 #[derive(Clone, Debug)]
 struct Line {
     text: Box<str>,
-    /// The reader, and what else the meaning of a line depends on.
+    /// Reader, and the position that the meaning depends on.
     place: (Hand, u8),
     begins: bool,
-    /// The names, and their numbers in the memory.
+    /// Names with their numbers in the cache.
     names: Box<[(Part, u32)]>,
     nodes: Box<[Node]>,
     blocks: Box<[BlockKind]>,
@@ -75,14 +73,14 @@ struct Line {
 #[derive(Debug)]
 pub struct Memory {
     lines: Vec<Option<Box<Line>>>,
-    /// The hashes of lines that came once, in the same pairs: a line is kept when it comes again, and most new lines never do.
+    /// Hashes of lines that came once, in the same pairs. A line is stored when it comes again; most new lines never do.
     once: Vec<u32>,
     names: BTreeMap<Cow<'static, [u8]>, u32>,
-    /// The variables of the program that is being read, by the numbers of their names.
+    /// Variables of the program that is being read, by the numbers of their names.
     slots: Vec<Slot>,
 }
 
-/// How far a script was before a line.
+/// Sizes of a script before a line.
 #[derive(Clone, Copy, Debug)]
 pub struct Before {
     nodes: usize,
@@ -104,7 +102,7 @@ impl Before {
 }
 
 impl Memory {
-    /// The memory of this thread, taken until it is given back. `None` if every line is to be read anew.
+    /// The cache of this thread, taken until it is put back. `None` if every line is to be read anew.
     pub fn take() -> Option<Box<Self>> {
         if OFF.get() {
             return None;
@@ -129,7 +127,7 @@ impl Memory {
         }
     }
 
-    /// Puts in what a line says, where it was read before: whether the program begins with it at the latest.
+    /// Copies the meaning of a line that was read before. Returns whether it was found.
     pub fn put<'t>(
         &mut self,
         (line, text): (usize, &'t str),
@@ -176,7 +174,7 @@ impl Memory {
         Some(own.begins)
     }
 
-    /// Keeps what a line said, where it came before and is worth it.
+    /// Stores the meaning of a line that came before and is short enough.
     pub fn keep(
         &mut self,
         text: &str,
@@ -218,7 +216,7 @@ impl Memory {
         {
             return None;
         }
-        // By their order; what is named again is the same variable.
+        // In order of first use; a repeated name is the same variable.
         let mut named: Vec<(Slot, &[u8])> = Vec::new();
         for (slot, name) in &script.asked {
             if !named.iter().any(|(own, _)| own == slot) {
@@ -269,7 +267,7 @@ impl Memory {
                 Some(Some((later.what, part_of(text, later.label)?)))
             })?,
         };
-        // What is kept must come out again as it was.
+        // The stored line must give back the original.
         let slot = |slot: Slot| named.get(slot as usize).map_or(NOT_YET, |(own, _)| *own);
         let (first, here) = (before.nodes as u32, before.blocks);
         let same = own
@@ -285,7 +283,7 @@ impl Memory {
         same.then_some(own)
     }
 
-    /// The number of a name.
+    /// Number of a name.
     fn number(&mut self, name: &[u8]) -> u32 {
         if let Some(number) = self.names.get(name) {
             return *number;
@@ -297,7 +295,7 @@ impl Memory {
     }
 }
 
-/// What a line is found by, before it is compared. None for a line that is never kept.
+/// Hash by which a line is found before it is compared; `None` for a line that is never stored.
 fn hashed(text: &str, (hand, more): (Hand, u8)) -> Option<u32> {
     if !(1..=LONGEST).contains(&text.len()) {
         return None;
@@ -308,7 +306,7 @@ fn hashed(text: &str, (hand, more): (Hand, u8)) -> Option<u32> {
     Some(hasher.finish() as u32)
 }
 
-/// Where the pair of a line begins.
+/// Start of the pair of a line.
 fn pair(hash: u32) -> usize {
     hash as usize % (LINES / 2) * 2
 }
@@ -324,7 +322,7 @@ fn part_of(text: &str, part: &[u8]) -> Option<Part> {
     (text.as_bytes().get(at..at + part.len())? == part).then_some((at as u8, part.len() as u8))
 }
 
-/// A value whose operands are so many places later, with other variables.
+/// A value with its operands shifted in the list, and other variables.
 #[inline]
 fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
     match *node {
@@ -337,7 +335,7 @@ fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
     }
 }
 
-/// A block likewise. A jump without a target has 0 in its place.
+/// A block with shifted values and blocks. A jump without a target has 0 in its place.
 fn moved(kind: &BlockKind, by: u32, blocks: usize, slot: &dyn Fn(Slot) -> Slot) -> BlockKind {
     let later = |id: NodeId| id.shifted(by);
     let place = |ids: [Option<NodeId>; 3]| ids.map(|id| id.map(later));
@@ -394,7 +392,7 @@ mod tests {
             .unwrap()
     }
 
-    /// How many lines are kept, and names known. Both are bounded.
+    /// Numbers of stored lines and known names. Both are bounded.
     fn kept() -> (usize, usize) {
         let own = Memory::take();
         let kept = own.as_ref().map_or((0, 0), |own| {
@@ -409,7 +407,7 @@ mod tests {
         Memory::give_back(Some(Box::new(Memory::empty())));
     }
 
-    /// With no memory, with what came once, and with what is kept: always the same.
+    /// Without cache, with lines that came once, and with stored lines: always the same result.
     fn same(post: &str, text: &str) {
         let read = reader(post);
         let anew = without(|| read(text));
@@ -437,7 +435,7 @@ mod tests {
             forget();
             same(post, text);
             assert!(kept().0 > 0, "{post}");
-            // What depends on lines before it does so when it is remembered: without them, the other way round, between others, twice.
+            // Lines that depend on earlier ones must do so from the cache as well: without them, reversed, between others, twice.
             let lines: Vec<&str> = text.lines().collect();
             for at in 0..lines.len() {
                 same(post, &[&lines[..at], &lines[at + 1..]].concat().join("\n"));
@@ -451,7 +449,7 @@ mod tests {
         }
     }
 
-    /// Lines without end, and names: what is kept stays bounded, and right.
+    /// Endless new lines and names: the cache stays bounded and correct.
     #[test]
     fn the_memory_is_bounded() {
         let name = |n: usize| format!("#<n{n}>=[#<m{n}>+{n}]\n");

@@ -1,7 +1,7 @@
-//! What word-address dialects share: the writer of blocks and the printer of expressions; the lexer and the parser that read a program back,
-//! and the machine that follows it.
+//! Common part of word-address dialects: the writer of blocks and the printer of expressions; the lexer and the parser that read a program back, and the
+//! machine that runs it.
 //!
-//! Writing and reading share no code, only the dialect's data: what both would get wrong together, the proof would not see.
+//! Writing and reading share no code, only the data of a dialect: the proof could not see an error in shared code.
 
 pub mod codes;
 pub mod lex;

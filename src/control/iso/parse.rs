@@ -1,4 +1,4 @@
-//! How a dialect writes values and codes, as data, and the parser of values that the readers share.
+//! Notation of values and codes in a dialect, as data, and the parser of values that the readers share.
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::script::{BLANKS, Binary, Node, NodeId, Script, System, Unary};
@@ -8,27 +8,27 @@ use crate::text::{Text, text};
 /// Deepest nesting of brackets and signs.
 const DEEPEST: usize = 40;
 
-/// The most operators of one value: each makes the tree deeper by one.
+/// Largest number of operators in a value: each makes the tree deeper by one.
 const LONGEST: usize = 400;
 
-/// How a dialect writes values and codes: data, and nothing of how it is written.
+/// Notation of values and codes in a dialect, as data.
 #[derive(Debug)]
 pub struct Grammar {
-    /// The brackets that group.
+    /// Grouping brackets.
     pub brackets: (u8, u8),
-    /// Whether places and feeds must have a decimal point: without one they count in the smallest step of the control.
+    /// Whether positions and feeds must have a decimal point: without one they count in the smallest step of the control.
     pub points: bool,
     pub names: Names,
-    /// Binary operators other than + - * /: the word, how tightly it binds (0 least), and its function.
+    /// Binary operators other than + - * /: word, binding strength (0 is weakest) and function.
     pub operators: &'static [(&'static str, u8, Binary)],
-    /// What the control knows under a name, where it is no variable of the program.
+    /// System variable with a name, if it is not a variable of the program.
     pub system: fn(&[u8]) -> Option<System>,
     pub family: Family,
-    /// The codes that this reader takes, by letter and ten times the number, and the letters allowed beside each.
+    /// Codes that this reader accepts, by letter and ten times the number, and the letters allowed beside each.
     pub takes: fn(u8, i32) -> Option<&'static str>,
 }
 
-/// How variables are named.
+/// Notation of variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Names {
     /// `#5061`, `#<center_x>`.
@@ -37,13 +37,13 @@ pub enum Names {
     Words,
 }
 
-/// How tightly * and / bind; nothing binds tighter.
+/// Binding strength of * and /, the strongest.
 const TIGHTEST: u8 = 3;
 
-/// How tightly comparisons bind.
+/// Binding strength of comparisons.
 const COMPARES: u8 = 1;
 
-/// Operators as words, in brackets `[ ]`, where AND and OR bind least.
+/// Operators as words, with brackets `[ ]`; AND and OR bind weakest.
 pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("OR", 0, Binary::Or),
     ("AND", 0, Binary::And),
@@ -55,7 +55,7 @@ pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("GE", COMPARES, Binary::AtLeast),
 ];
 
-/// The same where AND binds as a product, and OR as a sum: beside a comparison without brackets they combine the bits of its numbers.
+/// Operators as words; AND binds like a product and OR like a sum: beside a comparison without brackets they combine the bits of its numbers.
 pub const TIGHT_WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("OR", TIGHTEST - 1, Binary::Or),
     ("AND", TIGHTEST, Binary::And),
@@ -67,7 +67,7 @@ pub const TIGHT_WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("GE", COMPARES, Binary::AtLeast),
 ];
 
-/// Operators as signs, in brackets `( )`. Comparisons bind least.
+/// Operators as signs, with brackets `( )`. Comparisons bind weakest.
 pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
     ("OR", TIGHTEST - 1, Binary::Or),
     ("AND", TIGHTEST, Binary::And),
@@ -77,20 +77,20 @@ pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
     ("<=", COMPARES, Binary::AtMost),
 ];
 
-/// A place in a line.
+/// A position in a line.
 #[derive(Debug)]
 pub struct Cursor<'t> {
-    /// The line, UTF-8. What is left always begins at a character.
+    /// The line in UTF-8. The rest always begins at a character boundary.
     text: &'t [u8],
     rest: &'t [u8],
     depth: usize,
     operators: usize,
 }
 
-/// What went wrong, without its line. In a box: nearly always nothing did, and a small result is handed on in a register.
+/// A fault without its line. Boxed: there is almost never one, and a small result is returned in a register.
 pub type Parsed<T> = Result<T, Box<Text>>;
 
-/// Something that went wrong.
+/// Returns a fault.
 #[cold]
 pub fn fault<T>(text: Text) -> Parsed<T> {
     Err(Box::new(text))
@@ -112,17 +112,17 @@ impl<'t> Cursor<'t> {
         self.rest.is_empty()
     }
 
-    /// How many bytes have been read.
+    /// Number of bytes that were read.
     pub fn at(&self) -> usize {
         self.text.len() - self.rest.len()
     }
 
-    /// What has been read since a place.
+    /// The bytes that were read since a position.
     pub(super) fn since(&self, at: usize) -> &'t [u8] {
         &self.text[at..self.at()]
     }
 
-    /// What was passed since a place, without the blanks after it, for a message.
+    /// The text that was read since a position, without trailing blanks, for a message.
     pub(super) fn word_since(&self, at: usize) -> String {
         let word = String::from_utf8_lossy(self.since(at));
         printable(
@@ -134,12 +134,12 @@ impl<'t> Cursor<'t> {
         )
     }
 
-    /// What is left, in part, for a message.
+    /// The start of the rest, for a message.
     pub fn left(&self) -> String {
         self.from(self.at())
     }
 
-    /// Start of the text at a position, for a message.
+    /// The start of the text at a position, for a message.
     pub(super) fn from(&self, at: usize) -> String {
         printable(
             &String::from_utf8_lossy(&self.text[at..])
@@ -149,12 +149,12 @@ impl<'t> Cursor<'t> {
         )
     }
 
-    /// The next byte, which is not read yet.
+    /// The next byte, without reading it.
     pub fn next(&self) -> Option<u8> {
         self.rest.first().copied()
     }
 
-    /// How many bytes that are left are such, at the beginning.
+    /// Number of leading bytes of the rest that fulfil a condition.
     fn count(&self, such: impl Fn(u8) -> bool) -> usize {
         self.rest
             .iter()
@@ -162,8 +162,7 @@ impl<'t> Cursor<'t> {
             .unwrap_or(self.rest.len())
     }
 
-    /// Goes past these bytes, of which the last is ASCII, so that what is left begins at a character; and past the blanks after them. Nearly
-    /// always there are no blanks.
+    /// Reads these bytes, the last of which is ASCII, so that the rest begins at a character boundary, and the blanks after them. Usually there are no blanks.
     #[inline]
     pub(super) fn advance(&mut self, bytes: usize) {
         self.rest = &self.rest[bytes..];
@@ -172,7 +171,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// The same, and returns these bytes.
+    /// Reads these bytes and returns them.
     #[inline]
     fn take(&mut self, bytes: usize) -> &'t [u8] {
         let taken = &self.rest[..bytes];
@@ -185,7 +184,7 @@ impl<'t> Cursor<'t> {
         self.rest = &self.rest[self.count(|b| matches!(b, b' ' | b'\t'))..];
     }
 
-    /// Goes past a word or sign where it is next.
+    /// Reads a word or sign if it is next.
     pub fn eat(&mut self, word: &str) -> bool {
         let next = self
             .rest
@@ -197,7 +196,7 @@ impl<'t> Cursor<'t> {
         next
     }
 
-    /// Goes past a name where it is next as a whole.
+    /// Reads a name if it is next as a whole.
     pub fn eat_name(&mut self, word: &str) -> bool {
         let more = self
             .rest
@@ -206,7 +205,7 @@ impl<'t> Cursor<'t> {
         !more && self.eat(word)
     }
 
-    /// Goes past a sign that must be next.
+    /// Reads a sign that must be next.
     pub fn expect(&mut self, sign: &str) -> Parsed<()> {
         if self.eat(sign) {
             Ok(())
@@ -219,7 +218,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// An error where anything is left.
+    /// A fault if there is any rest.
     pub fn end(&self) -> Parsed<()> {
         if self.is_done() {
             Ok(())
@@ -236,7 +235,7 @@ impl<'t> Cursor<'t> {
         named.then(|| self.take(self.count(|b| b.is_ascii_alphanumeric() || b == b'_')))
     }
 
-    /// Goes past a text in quotes where one is next.
+    /// Reads a text in quotes if one is next.
     pub fn text(&mut self) -> bool {
         let end = self
             .rest
@@ -248,7 +247,7 @@ impl<'t> Cursor<'t> {
         end.is_some()
     }
 
-    /// The name of an O word: `<tp_exit>`, `12`.
+    /// Name of an O word: `<tp_exit>`, `12`.
     pub fn label(&mut self) -> Option<&'t [u8]> {
         let end = match self.next()? {
             b'<' => self.rest.iter().position(|b| *b == b'>')? + 1,
@@ -293,7 +292,7 @@ impl<'t> Cursor<'t> {
                     end
                 }
             }
-            // What a measuring cycle has left.
+            // Results of a measuring cycle.
             (Names::Words, _) if bytes.starts_with(b"_OVR[") => to(b']')?,
             (Names::Words, _) => return self.name(),
             _ => return None,
@@ -305,7 +304,7 @@ impl<'t> Cursor<'t> {
         self.bound(0, grammar, script)
     }
 
-    /// A value whose operators bind as tightly as this, or tighter.
+    /// A value whose operators bind at least as strongly as this.
     fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let mut left = self.operand(grammar, script)?;
         while let Some((length, binds, binary)) = self
@@ -322,7 +321,7 @@ impl<'t> Cursor<'t> {
             } else {
                 self.bound(binds + 1, grammar, script)?
             };
-            // What AND and OR bind tighter than must be in brackets to be a condition: of numbers they make other numbers.
+            // Operands of AND and OR must be in brackets if they bind more weakly; with plain numbers AND and OR compute numbers.
             let joins = binds > COMPARES && matches!(binary, Binary::And | Binary::Or);
             if joins && !(script.is_condition(left) && script.is_condition(right)) {
                 return fault(text!("AND and OR join conditions in brackets"));
@@ -332,7 +331,7 @@ impl<'t> Cursor<'t> {
         Ok(left)
     }
 
-    /// The operator that is next, without going past it: its length, how tightly it binds, what it does.
+    /// The next operator, without reading it: length, binding strength, function.
     #[inline]
     fn operator(&self, grammar: &Grammar) -> Option<(usize, u8, Binary)> {
         match self.next()? {
@@ -340,13 +339,13 @@ impl<'t> Cursor<'t> {
             b'-' => Some((1, TIGHTEST - 1, Binary::Subtract)),
             b'*' => Some((1, TIGHTEST, Binary::Multiply)),
             b'/' => Some((1, TIGHTEST, Binary::Divide)),
-            // Most values end in a bracket or at the end of the line.
+            // Most values end at a bracket or at the end of the line.
             b']' | b')' | b',' => None,
             _ => self.word(grammar),
         }
     }
 
-    /// The same of operators that are words, or more than one sign.
+    /// The next operator among words and signs of several characters.
     fn word(&self, grammar: &Grammar) -> Option<(usize, u8, Binary)> {
         let here = |word: &str| {
             self.rest
@@ -360,7 +359,7 @@ impl<'t> Cursor<'t> {
             .map(|(word, binds, binary)| (word.len(), *binds, *binary))
     }
 
-    /// One value without an operator around it.
+    /// One value without an operator.
     pub fn operand(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         match self.next() {
             Some(b'#') => self.named(grammar, script),
@@ -400,7 +399,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// A variable, or what the control knows under its name.
+    /// A variable, or the system variable with its name.
     fn named(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let before = self.at();
         let Some(name) = self.variable(grammar.names) else {
@@ -416,7 +415,7 @@ impl<'t> Cursor<'t> {
         })
     }
 
-    /// The name of a function: letters with a bracket after them.
+    /// Name of a function: letters followed by a bracket.
     fn function(&mut self, open: u8) -> Option<&'t [u8]> {
         let end = self.count(|b| b.is_ascii_alphanumeric());
         (end > 1 && self.rest.get(end) == Some(&open)).then(|| self.take(end))
@@ -481,7 +480,7 @@ impl<'t> Cursor<'t> {
         Ok(node)
     }
 
-    /// Goes past a bracket that must be next.
+    /// Reads a bracket that must be next.
     fn bracket(&mut self, bracket: u8) -> Parsed<()> {
         if self.next() != Some(bracket) {
             return self.expect(sign(bracket));
@@ -491,7 +490,7 @@ impl<'t> Cursor<'t> {
     }
 }
 
-/// A whole number of digits alone.
+/// A whole number that consists of digits only.
 pub fn whole(digits: &[u8]) -> Option<i32> {
     let more = |sum: i32, digit: &u8| match digit {
         b'0'..=b'9' => sum.checked_mul(10)?.checked_add(i32::from(digit - b'0')),

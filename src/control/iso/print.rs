@@ -1,12 +1,12 @@
-//! Prints an expression the way a control writes it: its brackets, its names, degrees everywhere.
+//! Prints an expression in the notation of a control, with its brackets and names; angles in degrees.
 
 use crate::formula::{Formula, Function, Name, Node, NodeId, Op, Variable};
 use crate::num::{push_count, push_decimal};
 use crate::path::Term;
 
-/// How a control writes expressions.
+/// Notation of expressions.
 pub trait Notation {
-    /// The brackets that group.
+    /// Grouping brackets.
     const BRACKETS: (char, char);
     /// Writes the value of an assignment of `formula`, by its index.
     fn variable(&self, formula: &Formula, index: usize, out: &mut String);
@@ -14,13 +14,13 @@ pub trait Notation {
     fn trigger(&self, sample: usize, axis: usize, out: &mut String);
     /// Texts before, between and after the two operands of the angle of the vector (x, y), y first.
     const ATAN: [&'static str; 3];
-    /// How many decimals a constant has at most: with 12, half a turn of a 10 m part moves by less than 1e-8 mm.
+    /// Largest number of decimals of a constant: with 12, half a turn of a 10 m part moves by less than 1e-8 mm.
     fn decimals(&self, _x: f64) -> usize {
         12
     }
 }
 
-/// Prints a node of `formula` at the end of a text. `scale` is the millimetres in a unit of the program.
+/// Appends a node of `formula` to a text. `scale` is mm in a unit of the program.
 pub fn print_to<N: Notation>(
     text: &mut String,
     notation: &N,
@@ -36,17 +36,17 @@ pub fn print_to<N: Notation>(
     .put(node, 0, text);
 }
 
-/// The name of an assignment's value, as a control writes it.
+/// Name of an assignment's value in the notation of a control.
 pub fn variable<N: Notation>(notation: &N, formula: &Formula, variable: Variable) -> String {
     let mut text = String::new();
     notation.variable(formula, variable.index(), &mut text);
     text
 }
 
-/// The most decimals of a factor there: a block is to be no longer than controls read, and what it multiplies is small.
+/// Largest number of decimals of such a factor: a block must not be longer than controls read, and the multiplied value is small.
 const SHIFT_DECIMALS: usize = 10;
 
-/// What is added to a place that these shift: `+#<bore_shift_x>`, `-0.5*R13`. `scale` is the millimetres in a unit of the program.
+/// Term that shifts a position: `+#<bore_shift_x>`, `-0.5*R13`. `scale` is mm in a unit of the program.
 pub fn shift<N: Notation>(notation: &N, formula: &Formula, terms: &[Term], scale: f64) -> String {
     let mut text = String::new();
     for Term {
@@ -91,7 +91,7 @@ impl Notation for Rs274 {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The name of the parameter that holds coordinate `axis` of a sample's trigger.
+/// Name of the parameter with coordinate `axis` of a sample's trigger.
 pub fn trigger_name(sample: usize, axis: usize) -> Name {
     Name::new(AXES[axis], sample + 1)
 }
@@ -103,7 +103,7 @@ struct Printer<'a, N> {
 }
 
 impl<N: Notation> Printer<'_, N> {
-    /// `binding` is how tightly the surroundings bind: 0 not at all, 1 as a sum, 2 as a product, 3 as what follows − or /.
+    /// `binding` is the binding strength of the context: 0 none, 1 a sum, 2 a product, 3 an operand after − or /.
     fn put(&self, node: NodeId, binding: u8, out: &mut String) {
         match self.formula.node(node) {
             Node::Number(x) => self.constant(x, binding, out),
@@ -153,7 +153,7 @@ impl<N: Notation> Printer<'_, N> {
         }
     }
 
-    /// A constant, in brackets where a sign in front of it would be two.
+    /// A constant, in brackets if it has a sign after another sign.
     fn constant(&self, x: f64, binding: u8, out: &mut String) {
         let begin = out.len();
         push_decimal(out, x, self.notation.decimals(x));

@@ -1,4 +1,4 @@
-//! Which numbered variable holds what, on controls that have no named ones.
+//! Allocation of numbered variables on controls without named ones.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -6,33 +6,32 @@ use std::collections::BinaryHeap;
 use crate::formula::{Formula, Node};
 use crate::path::Path;
 
-/// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
-/// as long as it is needed.
+/// Allocation of variables, counted from 1: first the results in order, then the triggers, then intermediate values, each as long as it is needed.
 #[derive(Debug)]
 pub struct Registers {
-    /// Of each assignment, the variable that holds its value.
+    /// Variable of each assignment.
     pub variables: Vec<usize>,
     triggers: Vec<((usize, usize), usize)>,
-    /// A value that is more than one result, and the further registers it goes to.
+    /// Values with several results, and the further registers that they are copied to.
     pub copies: Vec<(usize, usize)>,
     results: usize,
-    /// The highest number in use.
+    /// Highest number in use.
     pub last: usize,
 }
 
-/// When a program computes what it computes.
+/// Time at which a program computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
     /// After the last move.
     AtTheEnd,
-    /// As soon as the touches that it needs are made: their triggers are not kept any longer than that.
+    /// As soon as the necessary touches are made, so that their triggers are not kept longer.
     AtOnce,
 }
 
-/// How many touches must be made before each assignment can be computed, never fewer than for those before it.
+/// Number of touches that must be made before each assignment can be computed, never fewer than for the previous one.
 pub fn needed_touches(path: &Path) -> Vec<usize> {
     let formula = &path.formula;
-    // Of each sample, how many touches are made when its last one is.
+    // For each sample, the number of touches made up to its last one.
     let mut made = vec![0; samples(path)];
     for (n, (k, ..)) in path.searches().enumerate() {
         made[path.touches[k].sample] = n + 1;
@@ -50,7 +49,7 @@ pub fn needed_touches(path: &Path) -> Vec<usize> {
     each.collect()
 }
 
-/// How many points its formula computes with.
+/// Number of samples in its formula.
 fn samples(path: &Path) -> usize {
     path.touches
         .iter()
@@ -59,14 +58,14 @@ fn samples(path: &Path) -> usize {
         .unwrap_or(0)
 }
 
-/// Read to the end, or never again.
+/// Used until the end of the program.
 const TO_THE_END: usize = usize::MAX;
 
 /// Last use of each value of a formula.
 struct Reads {
-    /// Of each assignment, the assignment that reads it last; itself where nothing does.
+    /// For each assignment, the assignment that reads it last; itself if there is none.
     variables: Vec<usize>,
-    /// Of each coordinate of each sample, the assignment that reads it last; `None` if nothing does.
+    /// For each coordinate of each sample, the assignment that reads it last; `None` if there is none.
     triggers: Vec<[Option<usize>; 3]>,
 }
 
@@ -87,7 +86,7 @@ impl Reads {
                 _ => {}
             });
         }
-        // What moves read is kept to the end, and so is what the datum reads.
+        // Values that moves or the datum read are kept to the end.
         let moves = path
             .members
             .iter()
@@ -110,16 +109,16 @@ impl Reads {
     }
 }
 
-/// The registers that are free after each assignment, as chains: 0 ends one.
+/// Registers that become free after each assignment, as chains: 0 ends a chain.
 struct Spent {
-    /// Of each assignment, the first register of its chain.
+    /// First register of the chain of each assignment.
     first: Vec<usize>,
-    /// Of each register. It is in one chain at a time.
+    /// Next register of the chain. A register is in one chain at a time.
     next: Vec<usize>,
 }
 
 impl Spent {
-    /// A register is free after this assignment; after none that is there it stays.
+    /// Marks a register as free after this assignment; an assignment that does not exist keeps it.
     fn after(&mut self, assignment: usize, register: usize) {
         if self.next.len() <= register {
             self.next.resize(register + 1, 0);
@@ -131,12 +130,12 @@ impl Spent {
 }
 
 impl Registers {
-    /// Gives every value of the plain formula of a path its place.
+    /// Allocates a register for every value of the plain formula of a path.
     pub fn allocate(path: &Path, when: When) -> Self {
         let formula = &path.formula;
         let mut registers = Registers::of_results(formula);
         let reads = Reads::of(path);
-        // What each assignment is the last to read is free after it, the lowest first; results stay.
+        // After its last use a register becomes free, the lowest first; results are kept.
         let mut spent = Spent {
             first: vec![0; formula.assignments.len()],
             next: Vec::new(),
@@ -175,7 +174,7 @@ impl Registers {
         }
     }
 
-    /// Gives an assignment its place, and frees what it is the last to read.
+    /// Allocates the register of an assignment, and frees those that it is the last to use.
     fn assign(
         &mut self,
         i: usize,
@@ -196,7 +195,7 @@ impl Registers {
         }
     }
 
-    /// The results have the first ones, in their order; a value that is more than one result is copied.
+    /// Results get the first registers in order; a value with several results is copied.
     fn of_results(formula: &Formula) -> Self {
         let mut variables = vec![0; formula.assignments.len()];
         let mut copies = Vec::new();
@@ -219,7 +218,7 @@ impl Registers {
         }
     }
 
-    /// Where coordinate `axis` of a sample's trigger is.
+    /// Register of coordinate `axis` of a sample's trigger.
     pub fn trigger(&self, sample: usize, axis: usize) -> usize {
         self.triggers
             .iter()
@@ -227,8 +226,7 @@ impl Registers {
             .map_or(0, |(_, register)| *register)
     }
 
-    /// List of the registers for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
-    /// the control calls one.
+    /// List of the registers for the header, in lines of at most `width`. The write of the frame needs `more` registers. `name` is the notation of a register.
     pub fn lines(
         &self,
         formula: &Formula,

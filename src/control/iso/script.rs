@@ -1,4 +1,4 @@
-//! A program as it is read: blocks with resolved jumps, over one arena of expressions.
+//! A program after reading: blocks with resolved jumps, over one arena of expressions.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
@@ -9,34 +9,34 @@ use rustc_hash::FxBuildHasher;
 use crate::geom::Plane;
 use crate::text::Text;
 
-/// What controls take as a blank.
+/// Blanks of a control.
 pub const BLANKS: [char; 2] = [' ', '\t'];
 
-/// A line that is not understood, or does not work at its place.
+/// A line that is not understood, or is invalid at its position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trouble {
     /// 0-based.
     pub line: usize,
     pub message: Text,
-    /// Whether the line itself is understood but does not work at its place.
+    /// Whether the line itself is understood but invalid at its position.
     pub understood: bool,
 }
 
-/// A value, by its place in the list of its script, counted from one: so one that may be missing takes no more room.
+/// A value, by its index in the script's list, counted from one: so an optional one takes no more memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeId(NonZeroU32);
 
 impl NodeId {
-    /// The value this many places later in the list; past the end it wraps around.
+    /// The value this many indices later; past the end it wraps around.
     pub fn shifted(self, by: u32) -> Self {
         NodeId(NonZeroU32::new(self.0.get().wrapping_add(by)).unwrap_or(NonZeroU32::MAX))
     }
 }
 
-/// A variable, by its number: the first is 0.
+/// A variable, by its number from 0.
 pub type Slot = u32;
 
-/// A number, or how one is computed.
+/// A number or an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Node {
     Number(f64),
@@ -56,14 +56,14 @@ pub enum Unary {
     Sqrt,
 }
 
-/// A binary operator. Truth is 1.
+/// A binary operator. True is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binary {
     Add,
     Subtract,
     Multiply,
     Divide,
-    /// The angle of the vector (second, first), degrees.
+    /// Angle of the vector (second, first), degrees.
     Atan,
     Equal,
     Unequal,
@@ -75,38 +75,38 @@ pub enum Binary {
     Or,
 }
 
-/// What the control knows, in the units of the program and the work coordinate system.
+/// A system variable, in the units of the program and the work coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum System {
-    /// Where the ball is, along an axis.
+    /// Ball centre along an axis.
     Place(usize),
-    /// Where the ball was at the last trigger, along an axis.
+    /// Ball centre at the last trigger, along an axis.
     Trigger(usize),
-    /// The same two with the length of the tool along the tool axis.
+    /// These two including the tool length along the tool axis.
     PlaceWithLength(usize),
     TriggerWithLength(usize),
-    /// The length of the active tool.
+    /// Length of the active tool.
     Length,
-    /// Whether the last probing move met something: 1 or 0.
+    /// Whether the last probing move had a contact: 1 or 0.
     Contact,
-    /// Whether the probe is deflected now: 1 or 0.
+    /// Whether the probe is deflected: 1 or 0.
     Deflected,
-    /// Whether the basic system of the control is metric, as the program's units: 1 or 0.
+    /// Whether the basic system of the control is metric, like the program's units: 1 or 0.
     Metric,
-    /// The active code of the units: 21 or 20, as the program's.
+    /// Active code of the units: 21 or 20, as in the program.
     UnitsCode,
-    /// A value that is this, for a program that is rightly started.
+    /// A fixed value, for a program that is started correctly.
     Fixed(f64),
-    /// A part of a work offset, which a program may write.
+    /// A part of a work offset that a program may write.
     Offset(Part),
 }
 
 /// A part of a work offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The number of the offset, 1 = G54, and the axis of its origin.
+    /// Number of the offset, 1 = G54, and axis of its origin.
     Origin(i32, usize),
-    /// Its rotation about an axis, degrees: only that about the tool axis can be any.
+    /// Rotation about an axis, degrees; only that about the tool axis may have any value.
     Turn(i32, usize),
 }
 
@@ -117,19 +117,19 @@ pub struct Block {
     pub kind: BlockKind,
 }
 
-/// What a block says. Targets are places in [`Script::blocks`].
+/// Contents of a block. Targets are indices into [`Script::blocks`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum BlockKind {
-    /// Nothing that matters here: a label, a declaration, a wait.
+    /// Nothing relevant: a label, a declaration, a dwell.
     Nothing,
-    /// Modes, and a motion where it has axis words.
+    /// Modes, and a motion if there are axis words.
     Words(Words),
     Set(Slot, NodeId),
-    /// What is the control's own, or not known, gets a value.
+    /// Sets a system variable or an unknown one.
     SetOther(Slot, NodeId),
-    /// Goes to a place of the machine's own system along these axes.
+    /// Moves to machine coordinates along these axes.
     Elsewhere([bool; 3]),
-    /// A part of a work offset gets a value.
+    /// Sets a part of a work offset.
     SetOffset(Part, NodeId),
     /// Continues at this block.
     Jump(usize),
@@ -139,17 +139,17 @@ pub enum BlockKind {
     JumpUnless(NodeId, usize),
     Call(usize, Vec<NodeId>),
     Return,
-    /// Keeps the control from reading on before the motion is done.
+    /// Stops look-ahead until the motion has ended.
     Halt,
-    /// A result goes out: its code and its value.
+    /// Reports a result: code and value.
     Output(String, NodeId),
-    /// The current place of the ball reads so in a work offset from here on (G10 L20).
+    /// The current ball centre gets this reading in a work offset (G10 L20).
     Reading(i32, [Option<NodeId>; 3]),
-    /// The origin or the turn of a work offset is set (G10 L2).
+    /// Sets origin or rotation of a work offset (G10 L2).
     Origin(i32, [Option<NodeId>; 3], Option<NodeId>),
     /// Stops with an alarm; nothing after it runs.
     Alarm,
-    /// An alarm that shows, and lets the next blocks run until the end.
+    /// Shows an alarm and continues until the end.
     Warned,
     /// A native cycle.
     Native,
@@ -161,17 +161,17 @@ pub struct Words {
     pub motion: Option<Motion>,
     /// X, Y, Z.
     pub to: [Option<NodeId>; 3],
-    /// I, J, K: from where the arc begins to its centre.
+    /// I, J, K: from the start of the arc to its centre.
     pub center: [Option<NodeId>; 3],
     /// F, in units of the program.
     pub feed: Option<NodeId>,
     pub modes: Modes,
 }
 
-/// How a block moves.
+/// Motion of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// As fast as the control can.
+    /// At the rapid rate.
     Rapid,
     /// Straight at the feed.
     Straight,
@@ -202,21 +202,21 @@ pub struct Modes {
     /// Millimetres (true) or inches.
     pub metric: Option<bool>,
     pub plane: Option<Plane>,
-    /// Absolute (true) or incremental places.
+    /// Absolute (true) or incremental positions.
     pub absolute: Option<bool>,
-    /// Feeds per minute (true), or otherwise: per turn, or as the time of the block.
+    /// Feeds per minute (true); otherwise per turn, or as the time of the block.
     pub per_minute: Option<bool>,
-    /// Centres of arcs from where the arc begins.
+    /// Centres of arcs counted from the start of the arc.
     pub arcs_incremental: Option<bool>,
     /// Whether the spindle turns.
     pub spindle: Option<bool>,
-    /// The work offset that is selected, 1 = G54.
+    /// Selected work offset, 1 = G54.
     pub offset: Option<i32>,
-    /// Whether the length of the tool counts.
+    /// Whether the tool length is active.
     pub length: Option<bool>,
-    /// Whether every place is come to, not only near.
+    /// Whether every position is reached exactly.
     pub exact: Option<bool>,
-    /// Whether modes from before the program were given back.
+    /// Whether modes from before the program were restored.
     pub restored: Option<bool>,
 }
 
@@ -234,9 +234,9 @@ impl Modes {
         restored: None,
     };
 
-    /// These modes after those of a later block.
+    /// The modes after those of a later block.
     pub fn then(self, later: Modes) -> Modes {
-        // What was stated before is no longer so.
+        // Earlier modes are no longer valid.
         let before = if later.restored == Some(true) {
             Modes::NONE
         } else {
@@ -266,54 +266,54 @@ impl Modes {
 pub struct Script<'t> {
     pub blocks: Vec<Block>,
     pub nodes: Vec<Node>,
-    /// How many variables it names.
+    /// Number of variables.
     pub slots: usize,
-    /// The variables, by their spelled names.
+    /// Variables by their normalised names.
     names: HashMap<Cow<'t, [u8]>, Slot, FxBuildHasher>,
-    /// The variables beyond [`USUAL_NAMES`].
+    /// Variables beyond [`USUAL_NAMES`].
     more_names: BTreeMap<Cow<'t, [u8]>, Slot>,
-    /// Variables of the line that is being read, by their names.
+    /// Variables of the current line, by their names.
     pub asked: Vec<(Slot, &'t [u8])>,
-    /// Where it takes the ball to be before the start, where it says so, in its units.
+    /// Start of the ball that the program assumes, in its units, if it states one.
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
     pub straight: bool,
-    /// Whether a probing move sees only the edge of the probe's signal: nothing of a probe that is deflected when it begins.
+    /// Whether a probing move sees only the edge of the signal, not a probe that is deflected at its start.
     pub sees_edges: bool,
-    /// Whether a probing move that begins in contact is an alarm, also one that needs no contact.
+    /// Whether a probing move that begins in contact is an alarm, even if it needs no contact.
     pub begins_free: bool,
-    /// What a variable without a value counts as, where the control keeps its variables from one run to the next; `None` if using one is an error.
+    /// Value of an unset variable, if the control keeps variables from one run to the next; `None` if its use is an error.
     pub vacant: Option<f64>,
-    /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.
+    /// Whether ATAN of its control gives 0 to 360 instead of −180 to 180 degrees.
     pub full_circle: bool,
-    /// What its control does before the motion is done, if no block halts it.
+    /// Effects of its control before a motion has ended, without a halting block.
     pub ahead: Ahead,
-    /// The variables that hold results: code and name, from the header.
+    /// Variables with results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
 }
 
-/// How far a control reads ahead of its motion.
+/// Look-ahead of a control.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ahead {
-    /// Not past a probing move, and nothing that it reads sooner matters.
+    /// Not past a probing move, and nothing that it reads early matters.
     #[default]
     Harmless,
-    /// Not past a probing move. An alarm throws away the moves that are not made yet.
+    /// Not past a probing move. An alarm discards the moves that are not made yet.
     Alarms,
-    /// It evaluates places and the probe, where they are read, before the ball is there.
+    /// Evaluates positions and the probe, where they are read, before the ball has arrived.
     Reads,
-    /// The same, and it writes work offsets and raises alarms before the ball is there.
+    /// Evaluates positions and the probe, writes work offsets and raises alarms before the ball has arrived.
     ReadsAndActs,
 }
 
-/// A control has a few hundred variables, a set-up of fifty cycles three thousand. Names beyond these are looked up in a tree: in a table of hashes,
-/// names that were chosen to collide would make it slow.
+/// Number of names in the hash table. A control has a few hundred variables, a set-up of fifty cycles three thousand. Further names are in a tree: names chosen
+/// to collide would make a hash table slow.
 const USUAL_NAMES: usize = 4000;
 
 impl<'t> Script<'t> {
-    /// An empty script with room for a program as long as this text.
+    /// An empty script with capacity for a program as long as this text.
     pub fn with_room_for(text: &str) -> Self {
-        // A line has about thirty characters, and a value about ten; every other line has a variable of its own. Room for more costs less than growing.
+        // A line has about thirty characters, and a value about ten; every other line has its own variable. Too much capacity costs less than growing.
         let lines = text.len() / 24;
         let names = (lines / 2).min(USUAL_NAMES);
         Script {
@@ -324,7 +324,7 @@ impl<'t> Script<'t> {
         }
     }
 
-    /// The variable of this name, made if it is new.
+    /// The variable with this name; created if it is new.
     pub fn slot(&mut self, name: &'t [u8]) -> Slot {
         let slot = self.spelled(spelled(name));
         self.asked.push((slot, name));
@@ -344,10 +344,10 @@ impl<'t> Script<'t> {
         slot
     }
 
-    /// The variable of this name, spelled as below, where there is one.
+    /// The variable with this name in normalised spelling, if there is one.
     pub fn find(&self, name: &[u8]) -> Option<Slot> {
         let known = self.names.get(name).copied();
-        // The tree is empty in nearly every program.
+        // The tree is empty in almost every program.
         if known.is_some() || self.more_names.is_empty() {
             known
         } else {
@@ -364,7 +364,7 @@ impl<'t> Script<'t> {
         self.nodes[id.0.get() as usize - 1]
     }
 
-    /// The number that a value is, where it is one.
+    /// The number of a value, if it is one.
     pub fn number(&self, id: NodeId) -> Option<f64> {
         match self.node(id) {
             Node::Number(x) => Some(x),
@@ -372,7 +372,7 @@ impl<'t> Script<'t> {
         }
     }
 
-    /// Whether a value is true or not true, and no other number.
+    /// Whether a value is a condition: 1 or 0, and no other number.
     pub fn is_condition(&self, id: NodeId) -> bool {
         match self.node(id) {
             Node::Binary(binary, ..) => match binary {
@@ -393,7 +393,7 @@ impl<'t> Script<'t> {
         }
     }
 
-    /// Puts blocks in before the one at `at`; whatever jumps there comes to them first.
+    /// Inserts blocks before the one at `at`; jumps to that block come to them first.
     pub fn insert(&mut self, at: usize, line: usize, blocks: Vec<BlockKind>) {
         let more = blocks.len();
         for block in &mut self.blocks {
@@ -413,7 +413,7 @@ impl<'t> Script<'t> {
             .splice(at..at, blocks.into_iter().map(|kind| Block { line, kind }));
     }
 
-    /// The results are read at the end, from their variables.
+    /// Reports the results at the end, from their variables.
     pub fn give_results(&mut self) {
         let end = self
             .blocks
@@ -429,7 +429,7 @@ impl<'t> Script<'t> {
         self.insert(end, line, outputs);
     }
 
-    /// The variables whose values go out as results, each with its code.
+    /// Variables that are reported as results, each with its code.
     pub fn outputs(&self) -> impl Iterator<Item = (&str, Slot)> {
         self.blocks.iter().filter_map(|block| match &block.kind {
             BlockKind::Output(code, value) => match self.node(*value) {
@@ -445,10 +445,10 @@ impl<'t> Script<'t> {
     }
 }
 
-/// A name as a control takes it: capitals, blanks and zeros in front of a number make no other variable.
+/// Normalised name: capitals, blanks and leading zeros make no difference on a control.
 fn spelled(name: &[u8]) -> Cow<'_, [u8]> {
     let hash = name.starts_with(b"#");
-    // In one pass: nearly every name is spelled so already.
+    // In one pass: almost every name is already normalised.
     let none = |name: &[u8], letters: std::ops::RangeInclusive<u8>| {
         name.iter()
             .all(|b| !(letters.contains(b) || b.is_ascii_whitespace()))
@@ -510,7 +510,7 @@ mod tests {
         }
     }
 
-    /// Beyond the usual number names are kept elsewhere, and found all the same.
+    /// Names beyond the usual number are stored elsewhere and still found.
     #[test]
     fn every_name_is_one_variable() {
         let names: Vec<String> = (0..3 * USUAL_NAMES).map(|n| format!("#<v{n}>")).collect();

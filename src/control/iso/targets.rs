@@ -1,37 +1,37 @@
-//! What lines say of other lines: jumps and calls by name, and what only the lines before one decide.
+//! References of lines to other lines: jumps and calls by name, and meanings that depend on earlier lines.
 
 use std::collections::BTreeMap;
 
 use crate::control::iso::script::{BlockKind, Script, Trouble};
 use crate::text::text;
 
-/// What a line says of lines before it, which it does only where they are known: its kind, by a number of its reader, and a label.
+/// A reference to earlier lines, resolved when they are known: its kind, by a number of its reader, and a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Later<'t> {
     pub what: u8,
     pub label: &'t [u8],
 }
 
-/// Jumps and calls by name, resolved when everything is read.
+/// Jumps and calls by name, resolved after reading.
 #[derive(Debug, Default)]
 pub struct Targets<'t> {
-    /// Labels and subroutines, each with its index in the blocks.
+    /// Labels and subroutines, each with the index of its block.
     pub known: Vec<(&'t [u8], usize)>,
-    /// Blocks that jump or call, each with the name it goes to.
+    /// Blocks that jump or call, each with its target name.
     pub wanted: Vec<(usize, &'t [u8])>,
-    /// What the line that is being read says of lines before it.
+    /// Reference of the current line to earlier lines.
     pub later: Option<Later<'t>>,
-    /// Whether that line does something that depends on more than its text: it is not kept.
+    /// Whether the current line depends on more than its text, so that it is not cached.
     pub depends: bool,
     /// Position of the lines, if it changes their meaning: 0 or 1.
     pub place: u8,
 }
 
-/// In place of a place: the name is there more than once.
+/// Placeholder for a name that is defined more than once.
 const TWICE: u32 = u32::MAX;
 
 impl Targets<'_> {
-    /// Puts the targets in. Each must exist once. `below`: whether it must come after the jump.
+    /// Resolves the targets. Each must exist once. `below`: whether it must come after the jump.
     pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
         let mut troubles = Vec::new();
         let names: Vec<Vec<u8>> = self
@@ -46,7 +46,7 @@ impl Targets<'_> {
                 .and_modify(|known| *known = TWICE)
                 .or_insert(*place as u32);
         }
-        // Most jumps go where the one before them goes.
+        // Most jumps have the same target as the previous one.
         let mut last: Option<(&[u8], Option<&u32>)> = None;
         for (from, name) in &self.wanted {
             let place = match last {

@@ -5,7 +5,7 @@ use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, fault};
 use crate::control::iso::script::{BlockKind, Modes, Motion, NodeId, Script, Words};
 use crate::text::text;
 
-/// The codes that every strict reader takes; no letters are allowed beside them.
+/// Codes that every strict reader accepts; no letters are allowed beside them.
 pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
         (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940) | (b'M', 30 | 40 | 50 | 90 | 300) => {
@@ -15,7 +15,7 @@ pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// Those of the RS274 family: LinuxCNC, grbl and their kin.
+/// Codes of the RS274 family: LinuxCNC, grbl and compatible controls.
 pub fn rs274(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
         (b'G', 20 | 30 | 80 | 100 | 200 | 210 | 382 | 383 | 490 | 610 | 640 | 800 | 911) => {
@@ -27,7 +27,7 @@ pub fn rs274(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// The words of a block, put together.
+/// The words of a block, collected.
 #[derive(Debug, Default)]
 struct Block {
     words: Words,
@@ -37,13 +37,13 @@ struct Block {
     halts: bool,
     allowed: &'static str,
     extended: Option<i32>,
-    /// The other letters of the block: one bit each, A the lowest.
+    /// Other letters of the block: one bit each, A is the lowest.
     others: u32,
-    /// The values of L, P and R.
+    /// Values of L, P and R.
     values: [Option<NodeId>; 3],
 }
 
-/// The letters whose values matter in a block without a motion.
+/// Letters whose values matter in a block without a motion.
 const VALUED: [u8; 3] = [b'L', b'P', b'R'];
 
 pub fn words<'t>(
@@ -63,9 +63,9 @@ pub fn words<'t>(
         let begin = cursor.at();
         cursor.advance(1);
         let named = cursor.next().is_some_and(|next| next.is_ascii_alphabetic());
-        // `X=10+R5`: a place that is computed.
+        // `X=10+R5`: a computed position.
         let sum = grammar.names == Names::Words && matches!(letter, b'X'..=b'Z') && cursor.eat("=");
-        // A word of more letters is named as a whole.
+        // A word with several letters is reported as a whole.
         let value = if sum {
             cursor.value(grammar, script)
         } else {
@@ -143,12 +143,12 @@ impl Block {
         }
     }
 
-    /// Takes in what a code does; `letters` are allowed beside it.
+    /// Applies the effect of a code; `letters` are allowed beside it.
     fn code(&mut self, effect: Effect, letters: &'static str) -> Parsed<()> {
         let modes = &mut self.words.modes;
         match effect {
             Effect::Motion(motion) | Effect::Once(motion) | Effect::Contact(motion) => {
-                // A code that only says what a contact in the motion beside it means goes first or last.
+                // A code that only gives the meaning of a contact may come before or after the motion.
                 self.words.motion = Some(match (self.words.motion, motion) {
                     (None, motion) => motion,
                     (Some(Motion::MayTouch), Motion::MustTouch | Motion::MustBeFree) => motion,
@@ -166,7 +166,7 @@ impl Block {
             Effect::Spindle(on) => modes.spindle = Some(on),
             Effect::Exact(exact) => modes.exact = Some(exact),
             Effect::Length(counts) => modes.length = Some(counts),
-            // What was stated before is no longer so.
+            // Earlier modes are no longer valid.
             Effect::GiveBack => {
                 *modes = Modes {
                     restored: Some(true),

@@ -1,22 +1,22 @@
-//! The word-address writer that posts share: blocks of G words, axis words and feeds.
+//! Word-address writer of the posts: blocks of G words, axis words and feeds.
 
 use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, format_count};
 use crate::path::{Arc, Feature, Move, ONE_LEVEL, Purpose, Surface, Touch};
 
-/// How a control's blocks are written, beyond what every word-address control shares.
+/// Notation of a control's blocks, beyond the common word-address format.
 #[derive(Clone, Copy, Debug)]
 pub struct Dialect {
     /// Decimals of lengths and feeds in mm.
     pub decimals_mm: usize,
     /// Decimals of lengths and feeds in inch.
     pub decimals_inch: usize,
-    /// What a comment begins and ends with.
+    /// Start and end of a comment.
     pub comment: (&'static str, &'static str),
-    /// The most characters of a comment line. A longer text continues in the next one.
+    /// Longest comment line, characters. A longer text continues on the next one.
     pub comment_width: usize,
-    /// The most characters of a block.
+    /// Longest block, characters.
     pub longest_block: usize,
     /// Whether numbers always have a decimal point: without one they count in the smallest step of the control.
     pub points: bool,
@@ -24,26 +24,26 @@ pub struct Dialect {
     pub capitals: bool,
     /// Whether blocks are numbered, from 0.
     pub numbered: bool,
-    /// The words for mm and inch; none if a program cannot state them.
+    /// Words for mm and inch; empty if a program cannot state them.
     pub units: (&'static str, &'static str),
-    /// Exact stop, and everything modal that must not leak in, but for plane and units.
+    /// Exact stop, and all modes that must not be inherited, except plane and units.
     pub modes: &'static str,
-    /// Whether a program that is read back must state exact stop by G61.
+    /// Whether a program that is read back must state exact stop with G61.
     pub exact_stop: bool,
-    /// Texts before and after a coordinate that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
+    /// Text before and after a coordinate that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
     pub shifted: (&'static str, &'static str),
-    /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
+    /// Word for arc centres counted from the start of the arc, in programs with arcs.
     pub arcs: &'static str,
 }
 
-/// What most controls take; each states what it has otherwise.
+/// Notation of most controls; each states its differences.
 pub const PLAIN: Dialect = Dialect {
     decimals_mm: 4,
     decimals_inch: 5,
     comment: ("(", ")"),
-    // Ours: what is longer is hard to read on the screen of a control.
+    // Our choice: longer lines are hard to read on the screen of a control.
     comment_width: 80,
-    // As LinuxCNC's interpreter takes them: a longer one ends the program.
+    // Limit of LinuxCNC's interpreter: a longer block ends the program.
     longest_block: 252,
     points: false,
     capitals: false,
@@ -55,7 +55,7 @@ pub const PLAIN: Dialect = Dialect {
     arcs: "",
 };
 
-/// Writes a program block by block and remembers which block makes which move.
+/// Writes a program block by block and records the block of each move.
 #[derive(Debug)]
 pub struct Writer<'a> {
     request: &'a Request<'a>,
@@ -64,21 +64,21 @@ pub struct Writer<'a> {
     lines: usize,
     blocks: usize,
     move_lines: Vec<Option<usize>>,
-    /// Coordinate of the ball along each axis, from the last block that names it, or from the job.
+    /// Coordinates of the ball along each axis, from the last block that names them, or from the job.
     last: [Digits; 3],
-    /// The coordinates that these are the numbers of, mm: a number is not made twice.
+    /// The same coordinates, mm, so that a number is not formatted twice.
     last_mm: Vec3,
-    /// The last feed, mm a minute, and its number.
+    /// Last feed, mm/min, and its number.
     last_rate: (f64, Digits),
-    /// Which axes a block has named.
+    /// Axes that a block has named.
     stated: [bool; 3],
-    /// What is added to the places of the next block along each axis: a sum that begins with a sign; empty where nothing is.
+    /// Terms added to the positions of the next block along each axis: a sum that begins with a sign; empty without a shift.
     shifts: [String; 3],
-    /// The same for the place where the move begins.
+    /// Terms added to the start of the move.
     begin_shifts: [String; 3],
     /// Whether a block is longer than the control reads.
     too_long: bool,
-    /// What the last block has added to each.
+    /// Terms of the last block.
     last_shifts: [String; 3],
 }
 
@@ -114,12 +114,12 @@ impl<'a> Writer<'a> {
         self.parts(&[text]);
     }
 
-    /// One line of these parts.
+    /// One line from these parts.
     pub fn parts(&mut self, parts: &[&str]) {
         self.build(|text| parts.iter().for_each(|part| text.push_str(part)));
     }
 
-    /// One line, as it is written at the end of the program.
+    /// One line that `write` appends to the program.
     pub fn build(&mut self, write: impl FnOnce(&mut String)) {
         if self.dialect.numbered {
             self.text.push_str(&format_count(self.blocks));
@@ -129,7 +129,7 @@ impl<'a> Writer<'a> {
         self.push_line(write);
     }
 
-    /// A line that continues the block of the last one.
+    /// A line that continues the last block.
     pub fn continued(&mut self, text: &str) {
         self.push_line(|line| line.push_str(text));
     }
@@ -147,7 +147,7 @@ impl<'a> Writer<'a> {
         self.lines += 1;
     }
 
-    /// A comment, in as many lines as it needs. Whatever is in `text`, it stays inside.
+    /// A comment on as many lines as it needs. Nothing in `text` can end it.
     pub fn comment(&mut self, text: &str) {
         debug_assert!(
             !text.contains(['(', ')', '\n', '\r']),
@@ -162,7 +162,7 @@ impl<'a> Writer<'a> {
                 self.build(|text| {
                     text.push_str(open);
                     if capitals {
-                        // A semicolon is what such a control shows for the end of a block.
+                        // Such a control shows a semicolon for the end of a block.
                         text.extend(line.chars().map(|c| {
                             if c == ';' {
                                 ','
@@ -179,22 +179,22 @@ impl<'a> Writer<'a> {
         );
     }
 
-    /// What is added to the places of the blocks that follow, along X, Y and Z: sums that begin with a sign.
+    /// Sets the terms added to the positions of the following blocks along X, Y and Z: sums that begin with a sign.
     pub fn shifts_by(&mut self, shifts: [String; 3]) {
         self.begin_shifts = std::mem::replace(&mut self.shifts, shifts);
     }
 
-    /// What is added to a place along an axis, with its sign; empty where nothing is.
+    /// Term added to a position along an axis, with its sign; empty without a shift.
     pub fn shift(&self, axis: usize) -> &str {
         &self.shifts[axis]
     }
 
-    /// The same for the place where the move begins.
+    /// Term added to the start of the move along an axis.
     pub fn begin_shift(&self, axis: usize) -> &str {
         &self.begin_shifts[axis]
     }
 
-    /// A length or feed in the program's units, with the decimals the control takes.
+    /// A length or feed in the program's units, with the decimals of the control.
     pub fn number(&self, mm: f64) -> Digits {
         let digits = Digits::of(mm / self.request.scale, self.decimals());
         if self.dialect.points {
@@ -204,7 +204,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A place by its axis words: `X0 Y0 Z30`.
+    /// Axis words of a position: `X0 Y0 Z30`.
     pub fn place_words(&self, place: Vec3) -> String {
         axis_words(&self.numbers(place), [true; 3], &NO_SHIFTS).split_off(1)
     }
@@ -214,13 +214,13 @@ impl<'a> Writer<'a> {
         axis_words(&self.numbers(place), self.tool(), &NO_SHIFTS).split_off(1)
     }
 
-    /// The tool axis alone.
+    /// Only the tool axis.
     fn tool(&self) -> [bool; 3] {
         let [_, _, tool] = self.request.plane.axes();
         [0, 1, 2].map(|axis| axis == tool)
     }
 
-    /// The first lines: what will happen, in which units, with which stylus, and from where.
+    /// The first lines: purpose, units, stylus and start.
     pub fn header(&mut self, offset: &str) {
         let request = self.request;
         let unit = if request.scale == 1.0 { "mm" } else { "inch" };
@@ -258,7 +258,7 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
-        // Native cycles say it themselves.
+        // Native cycles tell it themselves.
         if request.path.own.is_some() {
             return;
         }
@@ -298,7 +298,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Which way must be free, of a program that comes to its first place from anywhere: up, across and down.
+    /// Comment about the free space that a program needs on its approach to the first position: up, across and down.
     pub fn comment_approach(&mut self) {
         let path = self.request.path;
         let (Some(first), None) = (path.moves.first(), path.start) else {
@@ -310,7 +310,7 @@ impl<'a> Writer<'a> {
         ));
     }
 
-    /// The job, the version and the hash over what follows, as comments.
+    /// The job, the version and the hash over the following lines, as comments.
     pub fn says_job(&mut self) {
         let (open, close) = self.dialect.comment;
         for line in header::lines(
@@ -331,7 +331,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Units and modes: stated, never inherited.
+    /// Units and modes are stated, never inherited.
     pub fn modes(&mut self) {
         let request = self.request;
         let units = if request.scale == 1.0 {
@@ -350,25 +350,25 @@ impl<'a> Writer<'a> {
         self.parts(&[request.plane.word(), " ", self.dialect.modes, arcs, " G94"]);
     }
 
-    /// A straight move as one block: `word`, axis words, and a feed where there is one. `all` names every axis whose place has been
-    /// stated, else only those that change.
+    /// A straight move as one block: `word`, axis words and the feed, if there is one. With `all` every axis with a stated position is named, else only those
+    /// that change.
     pub fn straight(&mut self, word: &str, to: Vec3, all: bool, rate: Option<f64>) {
         let words = self.changed(to, all);
         self.block(word, to, words, rate);
     }
 
-    /// The same with all three axis words, whatever the last block said.
+    /// A straight move with all three axis words, whatever the last block contains.
     pub fn straight_in_full(&mut self, word: &str, to: Vec3, rate: f64) {
         let words = (self.numbers(to), [true; 3]);
         self.block(word, to, words, Some(rate));
     }
 
-    /// A touch as one block: it runs on past its contact by the search length, along the inverted target vector.
+    /// A touch as one block: it continues past its contact by the search distance, along the inverted target vector.
     pub fn touch(&mut self, word: &str, step: &Move, touch: &Touch, all: bool, rate: f64) {
         self.straight(word, step.to - touch.vector * touch.search, all, Some(rate));
     }
 
-    /// A positioning move along an arc from the present position, with an incremental centre.
+    /// A positioning move along an arc from the current position, with an incremental centre.
     pub fn arc(&mut self, from: Vec3, step: &Move, arc: &Arc, rate: Option<f64>) {
         let word = if arc.sweep > 0.0 { "G3" } else { "G2" };
         let words = self.goes_to(step.to, false);
@@ -389,12 +389,12 @@ impl<'a> Writer<'a> {
         ]);
     }
 
-    /// Goes to a place: all three axis words, whatever the last block said.
+    /// Moves to a position: all three axis words, whatever the last block contains.
     pub fn goes_to_all(&mut self, to: Vec3) -> String {
         self.named(to, self.numbers(to), [true; 3])
     }
 
-    /// Goes there in the plane: the words of its two axes, whatever the last block said.
+    /// Moves in the plane: the words of its two axes, whatever the last block contains.
     pub fn goes_in_plane(&mut self, to: Vec3) -> String {
         let [a, o, _] = self.request.plane.axes();
         self.named(
@@ -404,7 +404,7 @@ impl<'a> Writer<'a> {
         )
     }
 
-    /// Goes to its height: the word of the tool axis, whatever the last block said.
+    /// Moves to a height: the word of the tool axis, whatever the last block contains.
     pub fn goes_along_tool(&mut self, to: Vec3) -> String {
         self.named(to, self.numbers(to), self.tool())
     }
@@ -419,19 +419,19 @@ impl<'a> Writer<'a> {
         self.move_lines.push(None);
     }
 
-    /// The ball is at a place that a block named by other means than axis words.
+    /// Sets the ball centre after a block that gave it by other means than axis words.
     pub fn stands_at(&mut self, place: Vec3) {
         self.keep(place, self.numbers(place), [true; 3]);
     }
 
-    /// Goes to `target`, and gives the axis words for it: those that differ from the last block, and with `all` every other one that was stated
-    /// before. The axes of the plane are first named together. A block never is empty.
+    /// Moves to `target` and returns its axis words: those that differ from the last block, and with `all` every other one that was stated before. The axes of
+    /// the plane are first named together. A block is never empty.
     pub fn goes_to(&mut self, target: Vec3, all: bool) -> String {
         let (numbers, wanted) = self.changed(target, all);
         self.named(target, numbers, wanted)
     }
 
-    /// The numbers of a block to `target`, and which of them it names.
+    /// Numbers of a block to `target`, and the axes that it names.
     fn changed(&self, target: Vec3, all: bool) -> ([Digits; 3], [bool; 3]) {
         let [a, o, _] = self.request.plane.axes();
         let numbers = self.numbers(target);
@@ -462,12 +462,12 @@ impl<'a> Writer<'a> {
         block
     }
 
-    /// The position of the ball is known to the control alone: the next block names every axis.
+    /// The ball centre is known only to the control: the next block names every axis.
     pub fn forgets_place(&mut self) {
         (self.last, self.last_mm) = ([const { Digits::NONE }; 3], Vec3::NAN);
     }
 
-    /// A value that a block states is valid until the next one.
+    /// Records the stated values, which are valid until the next block.
     fn keep(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) {
         for (i, number) in numbers.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
             self.last[i] = number;
@@ -479,7 +479,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A block of a word, axis words, and a feed where there is one.
+    /// A block with a word, axis words and the feed, if there is one.
     fn block(
         &mut self,
         word: &str,
@@ -518,7 +518,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The word of a feed in two parts; nothing if it has no feed.
+    /// The word of a feed in two parts; empty without a feed.
     fn feed(&mut self, rate: Option<f64>) -> (&'static str, Digits) {
         let Some(rate) = rate else {
             return ("", Digits::NONE);
@@ -529,7 +529,7 @@ impl<'a> Writer<'a> {
         (" F", self.last_rate.1.clone())
     }
 
-    /// The numbers of a place. Most coordinates are those of the last block.
+    /// Numbers of a position. Most coordinates are those of the last block.
     fn numbers(&self, place: Vec3) -> [Digits; 3] {
         [0, 1, 2].map(|i| {
             if place[i] == self.last_mm[i] {
@@ -549,7 +549,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// The words of the incremental centre of an arc.
+/// Words of the incremental centre of an arc.
 const CENTER: [&str; 3] = [" I", " J", " K"];
 
 /// Terms added to the coordinates of a block, by axis, with the texts before and after such a sum.
@@ -592,7 +592,7 @@ fn push_axis_words(
     }
 }
 
-/// Where the job says the stylus is before the start, and what is done first for that reason. `place` is written as the control has it.
+/// Comment about the start of the stylus in the job and the first move from there. `place` is in the notation of the control.
 pub fn stated_start(request: &Request<'_>, place: &str) -> String {
     let first = request
         .path
@@ -607,11 +607,11 @@ pub fn stated_start(request: &Request<'_>, place: &str) -> String {
     format!("The stylus is taken to be at {place} before the start, {first}.")
 }
 
-/// Passes on the lines of a text one by one, each at most `width` characters, parted at spaces where there are any.
+/// Passes on the lines of a text one by one, each with at most `width` characters, split at spaces if possible.
 fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     let mut rest = text;
     while rest.len() > width {
-        // The last space that leaves no more than a line; else the first one after it.
+        // The last space within the width; else the first one after it.
         let space = rest.as_bytes()[..=width]
             .iter()
             .rposition(|b| *b == b' ')
@@ -629,23 +629,23 @@ fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     line(rest);
 }
 
-/// Start position of the job, and the first move if it goes across at that height.
+/// Start of the job, and the first move if it goes across at that height.
 pub fn across_from_stated<'p>(request: &Request<'p>) -> Option<(Vec3, &'p Move)> {
     let (start, first) = (request.path.start?, request.path.moves.first()?);
     (upwards(request, Some(start), first.to) == 0).then_some((start, first))
 }
 
-/// Below which a stylus is lower than a place, along the tool axis: a place that is written with fewer digits than it has is still that place.
+/// Threshold along the tool axis below which a stylus is lower than a position: a position printed with fewer digits is still the same one.
 pub fn lower_than(request: &Request<'_>, place: Vec3) -> Vec3 {
     const ROUNDED: f64 = 0.01;
     place - request.path.frame.w * ROUNDED
 }
 
-/// Whether a move goes down the tool axis, up it, or neither: −1, 1, 0.
+/// Direction of a move along the tool axis: −1 down, 1 up, 0 neither.
 pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
     let Some(from) = from else { return 0 };
     let rise = (to - from).dot(request.path.frame.w);
-    // Between touches that are level within the rounding of a dump nothing goes up; any way down is one.
+    // Between touches that are level within the rounding of a dump nothing goes up; any descent counts.
     if rise > ONE_LEVEL {
         1
     } else if rise < -1e-6 {
@@ -655,12 +655,12 @@ pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
     }
 }
 
-/// The ends of the straight moves that make a positioning move.
+/// Ends of the straight moves that make a positioning move.
 pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
     let (Some(arc), Some(from)) = (step.arc, at) else {
         return vec![step.to];
     };
-    // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
+    // A chord over the angle x deviates from a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
     let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
     let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
@@ -672,11 +672,11 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     )
 }
 
-/// Over how many degrees chords of an arc are long enough to be watched; `None` if such chords would leave the circle by too much.
+/// Angle of the shortest chords of an arc that can be watched, degrees; `None` if such chords would deviate from the circle by too much.
 fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
     let shortest = request.shortest_watched();
     let least = 2.0 * crate::num::within(shortest / (2.0 * radius), 0.0, 1.0).asin();
-    // Evenly parted, no chord is shorter.
+    // Divided evenly, no chord is shorter.
     let count = (arc.sweep.abs() / least).floor();
     let each = arc.sweep.abs() / count;
     let leaves = radius * (1.0 - (each / 2.0).cos());
@@ -695,7 +695,7 @@ fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
         .then(|| each.to_degrees() * (1.0 + 1e-9))
 }
 
-/// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.
+/// Whether the first move comes from an unknown position: then it is made in steps.
 pub fn start_unknown(request: &Request<'_>, index: usize, step: &Move) -> bool {
     index == 0 && request.path.start.is_none() && step.purpose == Purpose::Position
 }

@@ -1,13 +1,12 @@
 //! LinuxCNC: touches as G38.2, results computed in the program, one write of the work offset at the very end.
 //!
-//! Sources: LinuxCNC's g-code and overview documents, its interpreter and its motion control. #5061… are the ball centre at the trigger
-//! in the current work system and the program's units. A contact in a move that is not a probe move does not always stop the machine: in
-//! automatic mode versions up to 2.8 only report it in jogs and MDI commands (issues 368 and 371), and from 2.9 on only an edge counts, not a
-//! probe that is tripped already. So positioning is made of G38.3, which stops at any contact without an error, and of a check of #5070
-//! behind it. Ways back from a contact stay plain: the probe is tripped when they set out, and the way is the one the ball has come.
-//! G38 stays modal, so every block names its own word.
-//! M70 saves the modes that the program states and M72 gives them back, so that nothing leaks into the next program; the spindle and the
-//! coolant are off before M70, since M72 would start them again (issue 2764).
+//! Sources: LinuxCNC's g-code and overview documents, its interpreter and its motion control. #5061… are the ball centre at the trigger in the current work
+//! system and the program's units. A contact in a move that is not a probe move does not always stop the machine: in automatic mode versions up to 2.8 only
+//! report it in jogs and MDI commands (issues 368 and 371), and from 2.9 on only an edge counts, not a probe that is already tripped. So positioning consists
+//! of G38.3, which stops at any contact without an error, and of a check of #5070 after it. Retracts stay plain: the probe is tripped when they start, and the
+//! ball moves back on its own path. G38 is modal, so every block has its own word.
+//! M70 saves the modes that the program states and M72 restores them, so that nothing leaks into the next program. Spindle and coolant are off before M70,
+//! since M72 would start them again (issue 2764).
 
 mod read;
 
@@ -63,15 +62,15 @@ pub static DEF: PostDef = PostDef {
 const DIALECT: Dialect = Dialect {
     // A line may have 252 characters; more than this is hard to read.
     comment_width: 160,
-    // G8: X is a radius. Under G7, the lathe's diameters, half of every X would be run.
+    // G8: X is a radius. Under G7, the diameters of a lathe, every X would be halved.
     modes: "G8 G40 G61 G80 G90",
     exact_stop: true,
     arcs: " G91.1",
     ..PLAIN
 };
 
-/// The shortest probe move, mm: the text of RS274/NGC, from which the interpreter comes, refuses less than 0.254 mm. The interpreter of today takes
-/// shorter ones, and how old the control is is not known. Shorter positioning moves are plain.
+/// Shortest probe move, mm. The text of RS274/NGC, from which the interpreter comes, refuses less than 0.254 mm. The current interpreter accepts shorter ones,
+/// and the age of the control is unknown. Shorter positioning moves are plain.
 const SHORTEST_PROBE: f64 = 0.3;
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
@@ -110,7 +109,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// A touch too short for a probe move.
+/// Reports a touch that is too short for a probe move.
 fn check_short(request: &Request<'_>, checker: &mut Checker) {
     let path = request.path;
     let mut ways = path
@@ -127,8 +126,7 @@ fn check_short(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// Watched moves, and arcs, run at a stated feed: a rapid without a number at the stated feed of rapids, an arc that is not watched at the
-/// feed of the touches.
+/// Watched moves and arcs have a stated feed: a rapid without a number gets the stated feed of rapids, an unwatched arc the feed of the touches.
 fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
     match (step.purpose, request.protected, step.arc) {
@@ -227,7 +225,7 @@ impl Moves for LinuxCnc<'_> {
     }
 
     fn results(&mut self, w: &mut Writer<'_>, formula: &Formula) {
-        // MSG shows a text as it is, and PRINT goes to the terminal: DEBUG shows values on the operator's screen.
+        // MSG shows a text without values, and PRINT writes to the terminal: DEBUG shows values on the operator's screen.
         let word = match self.request.report {
             Report::Screen => "(DEBUG,",
             Report::Log => "(LOG,",
@@ -305,7 +303,7 @@ impl Moves for LinuxCnc<'_> {
         let code = formula.code(&formula.results[question.result]);
         let says = format!("{code} is {value}{}", question.complaint(unit));
         if stops {
-            // As in the exit: the last lift is made first.
+            // As in the exit: the last lift ends first.
             w.line("M66 E0 L0");
             w.line(&format!(
                 "(ABORT,{says}{})",
@@ -329,13 +327,13 @@ impl Moves for LinuxCnc<'_> {
     }
 }
 
-/// How many messages show results. AXIS shows ten, and another one removes the first of them [read in axis.py]: two are left for results that are marked.
+/// Number of messages with results. AXIS shows ten, and a further one removes the first [read in axis.py]: two are left for marked results.
 const MOST_MESSAGES: usize = 8;
 
-/// Characters of a message to which no other result is added: a block has 255 at most.
+/// Length of a message after which no result is added: a block has at most 255 characters.
 const LONGEST_MESSAGE: usize = 160;
 
-/// The name of a log file: letters, digits, - and _.
+/// Name of a log file: letters, digits, - and _.
 fn log_name(name: &str) -> String {
     let safe = |c: char| {
         if c.is_ascii_alphanumeric() || c == '-' {
@@ -352,7 +350,7 @@ fn log_name(name: &str) -> String {
     }
 }
 
-/// A value less a constant, as a sum.
+/// A value minus a constant, as a sum.
 fn less(value: &str, constant: &str) -> String {
     match constant.strip_prefix('-') {
         _ if constant == "0" => value.to_owned(),
@@ -361,7 +359,7 @@ fn less(value: &str, constant: &str) -> String {
     }
 }
 
-/// The header, and what is checked and set before the first move.
+/// The header, and the checks and modes before the first move.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
     w.header(&does::line(request, does::ONCE));
@@ -390,7 +388,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     }
     w.line("M5 M9");
     if let Some(angle) = request.orient.filter(|_| !request.path.moves.is_empty()) {
-        // Where no motor can turn to an angle, M19 ends in an error after this time, in seconds.
+        // Without a motor that can orient the spindle, M19 ends in an error after this time, in seconds.
         w.line(&format!("M19 R{} Q10", decimal(angle, 3)));
     }
     w.line("M70");
@@ -400,7 +398,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     }
 }
 
-/// Numbers of the O words in the body of a program. 1 to 3 are in its subroutines.
+/// Numbers of the O words in the body of a program. Its subroutines use 1 to 3.
 struct Labels {
     next: usize,
 }
@@ -414,10 +412,10 @@ impl Labels {
     }
 }
 
-/// What reads the ball's place along each axis, in the current work system.
+/// Variables with the ball centre along each axis, in the current work system.
 const CURRENT: [&str; 3] = ["#<_x>", "#<_y>", "#<_z>"];
 
-/// The one exit, and the way to the first place.
+/// The single exit, and the approach to the first position.
 fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let tool = request.plane.axes()[2];
     let top = request.highest();
@@ -438,7 +436,7 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let lift = w.number(lift);
     w.line(&format!("G1 {height} F{lift}"));
     w.line("o1 endif");
-    // ABORT throws away the moves that are read but not yet made: M66 waits until the lift is done.
+    // ABORT discards moves that are read but not made yet: M66 waits until the lift has ended.
     w.line("M66 E0 L0");
     w.line(match request.dry {
         Some(_) => "(ABORT,Dry run: something is in the way of move #1)",
@@ -466,7 +464,7 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("o<tp_first> endsub");
 }
 
-/// A call of the way to a place, along some axes: the others stay where they are. `free` is 1 where up is free.
+/// A call of the approach to a position, along some axes: the others stay. `free` is 1 if upwards is free.
 fn approach_block(
     w: &mut Writer<'_>,
     request: &Request<'_>,
@@ -489,7 +487,7 @@ fn approach_block(
     ));
 }
 
-/// Straight up to the height of a place, where the stylus is `below` another one; as the first move goes.
+/// Straight up to the height of a position if the stylus is `below` another one; with the word of the first move.
 fn rise(
     w: &mut Writer<'_>,
     request: &Request<'_>,
@@ -515,7 +513,7 @@ fn rise(
     w.line(&format!("o{label} endif"));
 }
 
-/// The word and the feed of a way to the first place that nothing watches.
+/// Word and feed of an unwatched approach to the first position.
 fn unwatched(w: &Writer<'_>, request: &Request<'_>, first: &Move) -> (&'static str, String) {
     match request.feeds.rate(first.feed) {
         Some(rate) => ("G1", format!(" F{}", w.number(rate))),
@@ -523,7 +521,7 @@ fn unwatched(w: &Writer<'_>, request: &Request<'_>, first: &Move) -> (&'static s
     }
 }
 
-/// Approach to the first position from any position of the stylus: up to its height if the stylus is lower, in the plane, then down.
+/// Approach to the first position from any position: up to its height if the stylus is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut Labels) {
     let tool = request.plane.axes()[2];
     rise(w, request, [step.to; 2], step, labels);
@@ -542,7 +540,7 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut
     w.line(&format!("{word}{down}{feed}"));
 }
 
-/// A positioning move, straight or in short straight pieces, each watched by the probe and checked.
+/// A positioning move, straight or in short straight pieces, each watched and checked.
 fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &mut Labels) {
     let rate = rate(request, place.from, place.step);
     each_piece(request, place, |from, to| {
@@ -552,7 +550,7 @@ fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &
         }
         w.straight("G38.3", to, true, rate);
         let label = labels.take();
-        // On the way up a lift would push on against what was met.
+        // On the way up a lift would push against the contact.
         let free = if upwards(request, from, to) <= 0 {
             "1"
         } else {
@@ -570,7 +568,7 @@ fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &
     });
 }
 
-/// A move that is not watched.
+/// A plain move.
 fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Step<'_>) {
     let rate = rate(request, from, step);
     if let (Some(arc), Some(from)) = (&step.arc, from) {
@@ -584,10 +582,9 @@ fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Ste
     );
 }
 
-/// The write at the end. G10 L20 makes the current position read what it would read if the measured point were at its nominal
-/// place: right in any units and under any rotation, as long as both axes of the plane are named. A rotation is set first (in
-/// degrees, on top of the one that is there); it turns the axes in which the way from the measured point to the current position
-/// is counted.
+/// The write at the end. G10 L20 makes the current position read what it would read if the measured point were at its nominal position: correct in any units
+/// and under any rotation, if both axes of the plane are named. A rotation is set first (in degrees, added to the present one); it rotates the axes in which
+/// the distance from the measured point to the current position is counted.
 fn write_datum(
     w: &mut Writer<'_>,
     request: &Request<'_>,
@@ -626,7 +623,7 @@ fn write_datum(
         let Some(place) = place else { continue };
         let nominal = constant(place.nominal);
         let value = match (place.measured, &turned, i) {
-            // Not measured: it reads on as it does.
+            // Not measured: it keeps its reading.
             (None, ..) => current[i].to_owned(),
             (_, Some(turn), 0) => format!("#<away_a>*COS[{turn}]+#<away_o>*SIN[{turn}]{nominal}"),
             (_, Some(turn), 1) => format!("#<away_o>*COS[{turn}]-#<away_a>*SIN[{turn}]{nominal}"),

@@ -1,4 +1,4 @@
-//! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
+//! Reads LinuxCNC programs: the codes and O words of the writer and similar ones.
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment, after, trimmed};
@@ -20,7 +20,7 @@ static GRAMMAR: Grammar = Grammar {
     takes,
 };
 
-/// M19 turns the spindle to an angle, R, within a time, Q.
+/// M19 orients the spindle to the angle R within the time Q.
 fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     if (letter, tenths) == (b'M', 190) {
         Some("RQ")
@@ -29,7 +29,8 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// `#5061` and its kin. `#<_task>` is 1 where a program runs on the machine, and 0 where it is only drawn. Origin and rotation of the work offsets start at #5220, twenty apart.
+/// `#5061` and related variables. `#<_task>` is 1 if a program runs on the machine, and 0 if it is only drawn. Origin and rotation of the work offsets start at
+/// #5220, twenty apart.
 fn system(name: &[u8]) -> Option<System> {
     if let [b'#', b'<', name @ ..] = name {
         return match name {
@@ -56,18 +57,18 @@ fn system(name: &[u8]) -> Option<System> {
     }
 }
 
-/// So many arguments of a call are followed.
+/// Number of arguments of a call that are followed.
 const MOST_ARGUMENTS: i32 = 9;
 
-/// O words that are open.
+/// Open O words.
 enum Open<'t> {
-    /// The jump past the subroutine.
+    /// Jump past the subroutine.
     Sub(&'t [u8], usize),
-    /// The jump of the `if`, and that of its `else`.
+    /// Jump of the `if`, and that of its `else`.
     If(&'t [u8], usize, Option<usize>),
 }
 
-/// State of reading a program: the O words that are open.
+/// State of reading a program: the open O words.
 #[derive(Default)]
 struct Program<'t> {
     open: Vec<Open<'t>>,
@@ -110,7 +111,7 @@ impl<'t> Blocks<'t> for Program<'t> {
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;
             let slot = script.slot(name);
-            // Variables above 5000 belong to the control; #5599 only says whether messages are shown. Which one #[…] is comes out only where it runs.
+            // Variables above 5000 belong to the control; #5599 only tells whether messages are shown. The number in #[…] is known only at run time.
             let own = match parse::whole(&name[1..]) {
                 Some(1..=30) if in_sub => {
                     return fault(text!(
@@ -135,7 +136,7 @@ impl<'t> Blocks<'t> for Program<'t> {
         Ok(())
     }
 
-    /// What opens and closes.
+    /// Names of openings and closings for labels.
     fn later(
         &mut self,
         script: &mut Script<'t>,
@@ -185,10 +186,10 @@ impl Program<'_> {
     }
 }
 
-/// The place of the lines in a subroutine.
+/// Position of a line in a subroutine.
 const IN_SUB: u8 = 1;
 
-/// What opens and closes.
+/// Openings and closings.
 const SUB: u8 = 0;
 const END_SUB: u8 = 1;
 const IF: u8 = 2;
@@ -220,7 +221,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     Ok(script)
 }
 
-/// Whether a text names a variable of the subroutine alone: one without _, or a number up to 30 that is no argument.
+/// Whether a text names a variable that belongs to the subroutine: one without _, or a number up to 30 that is not an argument.
 fn has_own(text: &str) -> bool {
     text.match_indices('#')
         .any(|(at, _)| match text[at + 1..].strip_prefix('<') {
@@ -233,15 +234,15 @@ fn has_own(text: &str) -> bool {
         })
 }
 
-/// Whether a comment says the values of variables that it names.
+/// Whether a comment prints the values of variables.
 fn says_values(comment: Comment<'_>) -> bool {
     ["PRINT,", "DEBUG,", "LOG,"]
         .iter()
         .any(|word| after(trimmed(comment.text), word).is_some())
 }
 
-/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. Behind a semicolon the interpreter passes
-/// them by, but for Python, which may do anything.
+/// Comments with an effect: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. After a semicolon the interpreter ignores them, except for
+/// Python, which may do anything.
 fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Parsed<()> {
     let text = trimmed(comment.text);
     if ["PY,", "PYRUN,", "PYRELOAD"]
@@ -254,7 +255,7 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         return Ok(());
     }
     if let Some(rest) = after(text, "PRINT,") {
-        // A text alone is shown, and nothing else.
+        // A text without values is shown without further effect.
         let Some((code, value)) = rest.split_once('=') else {
             return if rest.contains('#') {
                 fault(text!("a PRINT without its value"))
@@ -267,7 +268,7 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         cursor.end()?;
         script.push(line, BlockKind::Output(code.to_owned(), value));
     } else if let Some(mut rest) = ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)) {
-        // A text with another value in it reports no result.
+        // A text with another value in it is not a result.
         let mut shown = Vec::new();
         while let Some((code, value)) = rest.split_once('=') {
             let mut cursor = Cursor::new(value);
@@ -309,7 +310,7 @@ fn o_word<'t>(
     let (block, later) = match known.unwrap_or_default() {
         "sub" => {
             targets.known.push((label, here + 1));
-            // The main program passes by.
+            // The main program passes the subroutine.
             (BlockKind::Jump(0), Some(SUB))
         }
         "endsub" => (BlockKind::Return, Some(END_SUB)),
@@ -331,7 +332,7 @@ fn o_word<'t>(
     cursor.end()
 }
 
-/// The arguments of a call. What is not given is 0 inside.
+/// Arguments of a call. Missing ones are 0 in the subroutine.
 fn arguments<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<Vec<NodeId>> {
     let mut arguments = Vec::new();
     while !cursor.is_done() {

@@ -1,10 +1,10 @@
-//! HEIDENHAIN's touch probe cycles 4xx and 14xx, by their Q parameters. Texts are ours, after the control's dialog.
+//! HEIDENHAIN's touch probe cycles 4xx and 14xx, by their Q parameters. The texts are ours, based on the control's dialog.
 
 use super::rows::{Is, Row, Shape, Words};
 use super::{Argument, Call, Mark, angle, length, plain};
 use crate::path::Quantity;
 
-/// Every Q parameter of the cycles; what a cycle does not have it does not name.
+/// All Q parameters of the cycles; each cycle names its own.
 const Q: [Argument; 62] = [
     angle("Q247", "step angle between touches"),
     length("Q260", "clearance height"),
@@ -149,20 +149,20 @@ pub fn row(number: u16) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.number == number)
 }
 
-/// Where the touches lie: their height, the set-up clearance, and the clearance height.
+/// Positions of the touches: height, set-up clearance, clearance height.
 const TOUCHES: Words = &[(261, Is::Center(2)), (320, Is::SetUp), (260, Is::High)];
 const LIFTS: Words = &[(301, Is::Lifts)];
-/// The centre of a feature, in a cycle that writes and in one that only measures.
+/// Centre of a feature, in a cycle that writes and in one that only measures.
 const WRITTEN: Words = &[(321, Is::Center(0)), (322, Is::Center(1))];
 const MEASURED: Words = &[(273, Is::Center(0)), (274, Is::Center(1))];
 /// A circle.
 const CIRCLE: Words = &[(262, Is::Size(0)), (325, Is::Start), (247, Is::Step)];
 /// A width and its axis.
 const WIDTH: Words = &[(311, Is::Size(0)), (272, Is::Axis)];
-/// A contact, and how a coordinate of it is measured.
+/// A contact, and the measurement of its coordinate.
 const CONTACT: Words = &[(263, Is::Center(0)), (264, Is::Center(1))];
 const DIRECTION: Words = &[(272, Is::Axis), (267, Is::Towards)];
-/// What is written where, and the touch along the tool axis that is not made.
+/// Written row, and the touch along the tool axis, which is not made.
 const TO_ROW: Words = &[(305, Is::Row)];
 const CENTER: Words = &[(331, Is::Gets(0)), (332, Is::Gets(1))];
 const COORDINATE: Words = &[(405, Is::GetsAlong)];
@@ -174,10 +174,10 @@ const NO_TOP: Words = &[
     (384, ZERO),
     (333, ZERO),
 ];
-/// A coordinate that means nothing without that touch.
+/// A coordinate that has no meaning without that touch.
 const ZERO: Is = Is::Always(Quantity::Length(0.0));
 const SPREAD: Words = &[(423, Is::Count), (365, Is::Arcs)];
-/// What a cycle that measures only asks of its results; no tool is monitored.
+/// Limits of a cycle that only measures; no tool is monitored.
 const PLACE: Words = &[(279, Is::Off), (280, Is::Off)];
 const LOG: Words = &[(281, Is::Log)];
 const ASKS_BOTH: Words = &[
@@ -244,7 +244,7 @@ const fn of(
     }
 }
 
-/// The cycles that programs call and that are read as jobs. [S: posted programs for the order of the words and the heads, the control's pages for meaning]
+/// Cycles that programs call and that are read as jobs. [S: posted programs for the order of the words and the heads, the control's pages for meaning]
 #[rustfmt::skip]
 pub static ROWS: [Row; 15] = [
     of(412, "DATUM INSIDE CIRCLE", (Shape::Bore, true, true),

@@ -1,7 +1,7 @@
-//! The probing cycles that controls and makers of probes have: what each call says, letter by letter. Reader, explanation and docs read this table.
+//! Probing cycles of controls and probe makers, with the meaning of each argument. Reader, explanation and docs use this table.
 //!
-//! Facts are marked: sourced (read in a maker's manual, a maker's macro or a post that a maker publishes), recalled (not verified
-//! on a control). Lengths are in the program's units, angles in degrees.
+//! Facts are marked: sourced (read in a maker's manual, a maker's macro or a post that a maker publishes) or recalled (not verified on a control). Lengths are
+//! in the program's units, angles in degrees.
 
 pub mod heidenhain;
 mod renishaw;
@@ -12,7 +12,7 @@ mod writes;
 
 pub use writes::tool_name;
 
-/// What a value counts in.
+/// Unit of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     Length,
@@ -52,7 +52,7 @@ impl Mark {
 /// An argument of a call.
 #[derive(Clone, Copy, Debug)]
 pub struct Argument {
-    /// Its letter, its Q number, or its place between the commas, from 1.
+    /// Letter, Q number, or position between the commas, from 1.
     pub name: &'static str,
     pub meaning: &'static str,
     pub unit: Unit,
@@ -68,12 +68,12 @@ impl Argument {
         }
     }
 
-    /// More than nothing.
+    /// More than 0.
     const fn positive(self) -> Argument {
         self.within(0.0, f64::INFINITY)
     }
 
-    /// Whether the control takes a value.
+    /// Whether the control accepts a value.
     pub fn takes(&self, value: f64) -> bool {
         self.range.is_none_or(|(low, high)| {
             (low..=high).contains(&value) && (high.is_finite() || value > low)
@@ -131,20 +131,20 @@ const fn plain(name: &'static str, meaning: &'static str) -> Argument {
 /// A call.
 #[derive(Clone, Copy, Debug)]
 pub struct Call {
-    /// As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
+    /// Notation in programs: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
     pub name: &'static str,
-    /// What it measures or does, in a few words.
+    /// Its measurement or effect, in a few words.
     pub title: &'static str,
     /// Its own arguments.
     pub arguments: &'static [Argument],
-    /// Those that it shares with others of its set.
+    /// Arguments that it shares with other calls of its set.
     pub shared: &'static [Argument],
-    /// Arguments without which the control refuses it; of a list in one entry (`X Y Z`) one must be there.
+    /// Arguments without which the control refuses it; of a list in one entry (`X Y Z`) one is needed.
     pub needs: &'static [&'static str],
     /// Pairs that exclude each other.
     pub excludes: &'static [(&'static str, &'static str)],
     pub mark: Mark,
-    /// Where that was read.
+    /// Source of the facts.
     pub source: &'static str,
 }
 
@@ -158,7 +158,7 @@ impl Call {
     }
 }
 
-/// The set whose calls have the numbers of others.
+/// The set whose calls have the numbers of another set.
 const CENTROID: &str =
     "Centroid CNC12: the macros that are shipped with it (numbers of Renishaw's, other meanings)";
 
@@ -177,12 +177,12 @@ pub static SETS: [(&str, &[Call]); 8] = [
     (CENTROID, &small::CENTROID),
 ];
 
-/// A call by its name, blanks aside; P88xx is P98xx of a Brother, CALL O98xx that of an Okuma.
+/// A call by its name without blanks; P88xx is P98xx of a Brother, CALL O98xx that of an Okuma.
 pub fn find(name: &str) -> Option<&'static Call> {
     find_in(name, |set| set != CENTROID)
 }
 
-/// The same in a program of a Centroid.
+/// A call by its name in a program of a Centroid.
 pub fn find_centroid(name: &str) -> Option<&'static Call> {
     find_in(name, |set| set == CENTROID)
 }
@@ -209,7 +209,7 @@ mod tests {
     use super::*;
     use crate::path::Quantity;
 
-    /// The table of words says of each what its row takes it for: all of HEIDENHAIN's, and those of a SINUMERIK that the table has.
+    /// The table of words has the meanings of the rows: all of HEIDENHAIN's, and those of a SINUMERIK that the table has.
     #[test]
     fn words_of_rows_count_in_the_units_of_the_table() {
         let sets = [
@@ -235,7 +235,7 @@ mod tests {
                     "{} Q{number}",
                     row.number
                 );
-                // Without a zone the control's editor leaves a 1.
+                // Without a zone the control's editor writes 1.
                 let (Some(argument), false) = (argument, matches!(is, rows::Is::Zone(_))) else {
                     continue;
                 };

@@ -2,7 +2,7 @@
 
 use super::{Argument, Call, Mark, angle, feed, length, plain};
 
-/// Letters of every measuring macro. Given only where they are wanted: a letter that is there may stop the program.
+/// Letters of every measuring macro. A letter is given only if it is wanted: its presence may stop the program.
 const SHARED: [Argument; 10] = [
     length(
         "Q",

@@ -1,11 +1,11 @@
-//! Calls that are read both ways. A row lists the words of a call and what each of them means for the feature. The planner turns a feature into words,
-//! the reader of programs turns words into a feature, and the virtual part runs the call.
+//! Native calls as rows that are read both ways. A row lists the words of a call and the meaning of each for the feature. The planner turns a feature into
+//! words, the reader of programs turns words into a feature, and the virtual part runs the call.
 
 use crate::formula::Limits;
 use crate::geom::Vec3;
 use crate::path::Quantity;
 
-/// What kind of feature a call probes.
+/// Kind of the probed feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A point of a surface across an axis.
@@ -18,48 +18,48 @@ pub enum Shape {
     Rectangle,
 }
 
-/// What a call probes, in numbers: lengths in one unit, angles in degrees. What is not known is NaN or none.
+/// The probed feature in numbers: lengths in one unit, angles in degrees. Unknown values are NaN or `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probed {
     pub shape: Shape,
-    /// Whether the material lies around it.
+    /// Whether the material is outside.
     pub inside: bool,
-    /// The centre, at the height of the touches; of a surface its contact.
+    /// Centre at the height of the touches; of a surface its contact.
     pub center: Vec3,
-    /// The diameter, the width, or the sides along X and Y.
+    /// Diameter, width, or sides along X and Y.
     pub sizes: [f64; 2],
-    /// Two opposite points, where a call names those and no centre.
+    /// Two opposite points, if a call names them instead of a centre.
     pub edges: [Vec3; 2],
-    /// The axis that is measured along: 0 is X.
+    /// Measured axis: 0 is X.
     pub axis: usize,
-    /// The direction of the touch along it: 1 or −1.
+    /// Direction of the touch along it: 1 or −1.
     pub towards: f64,
-    /// From the surface of the ball to the contact where a touch begins, less what a table of the control adds.
+    /// From the surface of the ball to the contact at the start of a touch, less the value that a table of the control adds.
     pub set_up: Option<f64>,
-    /// The height at which the ball crosses between touches, and ends.
+    /// Height at which the ball crosses between touches, and ends.
     pub high: Option<f64>,
     /// Whether it goes up there between two touches.
     pub lifts: bool,
-    /// The angle of the first touch of a circle, from one to the next, and how many there are.
+    /// Angle of the first touch of a circle, angle from one to the next, and number of touches.
     pub start: f64,
     pub step: f64,
     pub count: f64,
-    /// Whether the ways between the touches of a circle are arcs.
+    /// Whether the moves between the touches of a circle are arcs.
     pub arcs: bool,
-    /// How far the second touch of a width lies beside the first.
+    /// Sideways distance of the second touch of a width from the first.
     pub beside: f64,
-    /// By how much a feature is turned, degrees.
+    /// Rotation of the feature, degrees.
     pub turn: f64,
-    /// From where the call is made down to the touches.
+    /// Distance from the position of the call down to the touches.
     pub down: Option<f64>,
-    /// Whether the call writes what it measures, if one of its words decides that.
+    /// Whether the call writes its result, if one of its words decides that.
     pub corrects: bool,
-    /// The row of the table, or the number of the offset, that is written. None if the call only measures, or writes what no job can ask for.
+    /// Row of the table, or number of the offset, that is written. `None` if the call only measures, or writes something that no job can ask for.
     pub row: Option<f64>,
 }
 
 impl Probed {
-    /// A feature of which nothing but its kind is known.
+    /// A feature of which only the kind is known.
     pub const fn unknown(shape: Shape, inside: bool) -> Probed {
         Probed {
             shape,
@@ -84,17 +84,17 @@ impl Probed {
         }
     }
 
-    /// A direction along the axis that is measured.
+    /// Direction along the measured axis.
     pub fn along(&self) -> Vec3 {
         Vec3::AXES[self.axis]
     }
 
-    /// What is left of a size between the places where the ball goes down.
+    /// Part of a size that is left between the positions where the ball goes down.
     pub fn zone(&self, n: usize, radius: f64) -> f64 {
         self.sizes[n] - 2.0 * (self.set_up.unwrap_or(0.0) + 2.0 * radius)
     }
 
-    /// The two points that a width is touched at.
+    /// The two touched points of a width.
     pub fn walls(&self) -> [Vec3; 2] {
         let half = self.along() * self.sizes[0] / 2.0;
         if self.edges[0].x.is_finite() {
@@ -105,37 +105,37 @@ impl Probed {
     }
 }
 
-/// What a job asks of the results, beside the feature.
+/// Requirements of a job beside the feature.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Asked {
     pub limits: Limits,
-    /// The number of the log.
+    /// Number of the log.
     pub log: f64,
-    /// How far a touch searches behind its contact.
+    /// Search distance past the contact.
     pub overtravel: f64,
-    /// Of the ball.
+    /// Radius of the ball.
     pub radius: f64,
 }
 
-/// What the value of a word is.
+/// Meaning of a word's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Is {
     /// A coordinate of the centre, or of the contact of a surface.
     Center(usize),
-    /// The same along the axis that is measured.
+    /// The coordinate of the centre along the measured axis.
     Along,
-    /// A coordinate of the centre. A call may leave it out: the centre is then where the ball is.
+    /// A coordinate of the centre. A call may omit it: then it is that of the ball.
     Stated(usize),
-    /// The same along the axis that is measured.
+    /// The coordinate of the centre along the measured axis, which a call may omit.
     StatedAlong,
     /// A coordinate of one of two opposite points, the first on the plus side.
     Edge(usize, usize),
-    /// The diameter, the width, or a side.
+    /// Diameter, width, or a side.
     Size(usize),
-    /// The axis that is measured, from 1.
+    /// The measured axis, from 1.
     Axis,
     Towards,
-    /// The same as 1 and 2.
+    /// Direction of the touch as 1 and 2.
     Facing,
     SetUp,
     High,
@@ -146,46 +146,46 @@ pub enum Is {
     Arcs,
     Beside,
     Turn,
-    /// From where the call is made down to the touches; 1 where nothing goes down.
+    /// Distance from the position of the call down to the touches; 1 if nothing goes down.
     Down,
-    /// What the ball leaves free of a size where it goes down between the walls; 1 elsewhere.
+    /// Part of a size that the ball leaves free where it goes down between the walls; 1 elsewhere.
     Zone(usize),
-    /// How far a wall may be off.
+    /// Largest allowed deviation of a wall.
     Safe,
-    /// The kind of the feature; 100 more corrects, 1000 more goes down between the walls.
+    /// Kind of the feature; 100 more corrects, 1000 more goes down between the walls.
     Variant(u16),
-    /// The row that is written.
+    /// Written row.
     Row,
-    /// Where it is written: 1 is the table of presets, the only one that a job has a word for.
+    /// Written table: 1 is the preset table, the only one that a job can ask for.
     Preset,
-    /// What a coordinate of the centre becomes: its nominal value.
+    /// New value of a coordinate of the centre: its nominal value.
     Gets(usize),
-    /// The same along the axis that is measured.
+    /// New value of the coordinate along the measured axis.
     GetsAlong,
-    /// What a limit of a size allows at most, and at least; 0 asks nothing.
+    /// Upper and lower limit of a size; 0 is no limit.
     Largest(usize),
     Smallest(usize),
-    /// The same of the coordinate along the axis that is measured.
+    /// Upper and lower limit of the coordinate along the measured axis.
     Highest,
     Lowest,
-    /// How far the centre may be off; 0 asks nothing.
+    /// Largest deviation of the centre; 0 is no limit.
     Off,
-    /// Whether it stops beyond the limits of sizes, of places.
+    /// Whether it stops beyond the limits of sizes, of positions.
     Stops {
         sizes: bool,
         places: bool,
     },
     Log,
-    /// A choice that no job makes: 0. Another one writes what a job has no word for.
+    /// A choice that no job makes: 0. Any other value writes something that a job cannot ask for.
     No,
-    /// A number that every call has.
+    /// A number of every call.
     Always(Quantity),
-    /// A number that every call has that writes.
+    /// A number of every call that writes.
     Writing(Quantity),
 }
 
 impl Is {
-    /// The value of a word, with its unit; `None` if the call does not have it.
+    /// Value of a word, with its unit; `None` if the call does not have the word.
     pub fn value(self, of: &Probed, asked: &Asked) -> Option<Quantity> {
         let Limits { size, position, .. } = asked.limits;
         let one = Quantity::Plain(1.0);
@@ -239,7 +239,7 @@ impl Is {
         })
     }
 
-    /// Takes the value of a word into what is probed; `None` if that is no value of it.
+    /// Stores the value of a word in the feature; `None` for an invalid value.
     fn take(self, value: f64, of: &mut Probed) -> Option<()> {
         match self {
             Is::Center(axis) | Is::Stated(axis) => of.center[axis] = value,
@@ -272,7 +272,7 @@ impl Is {
         Some(())
     }
 
-    /// Whether nothing can be said of the feature without it.
+    /// Whether nothing is known of the feature without it.
     fn is_needed(self) -> bool {
         matches!(
             self,
@@ -287,21 +287,21 @@ impl Is {
         )
     }
 
-    /// Whether a row is written for what a job has no word for, unless the word has the value that a job gives it.
+    /// Whether the word decides that something is written that a job cannot ask for, unless it has the job's value.
     fn decides_write(self) -> bool {
         matches!(self, Is::Preset | Is::Gets(_) | Is::GetsAlong | Is::No)
     }
 }
 
-/// Whether the variant of a SINUMERIK's measuring cycle corrects: by its hundreds.
+/// Whether the variant of a SINUMERIK's measuring cycle corrects, by its hundreds.
 pub fn corrects(variant: f64) -> bool {
     (variant / 100.0).trunc() % 10.0 == 1.0
 }
 
-/// Words in the order of a call: the number of each, and what it is.
+/// Words in the order of a call: number and meaning of each.
 pub type Words = &'static [(u16, Is)];
 
-/// A call that is read both ways.
+/// A native call as a row.
 #[derive(Debug)]
 pub struct Row {
     pub number: u16,
@@ -309,17 +309,17 @@ pub struct Row {
     pub head: &'static str,
     pub shape: Shape,
     pub inside: bool,
-    /// Whether it writes what it measures; `None` if one of its words decides that.
+    /// Whether it writes its result; `None` if one of its words decides that.
     pub writes: Option<bool>,
     /// Its words; calls share groups of them.
     pub words: &'static [Words],
-    /// Words that other programs may give it: they are read, and not written.
+    /// Words that other programs may give it: they are read, not written.
     pub also: Words,
-    /// Where its results are found.
+    /// Positions of its results.
     pub results: Words,
 }
 
-/// The first of these rows that probes the feature, and writes where that is wanted. A row without a word for the axis measures along the tool axis only.
+/// The first of these rows that probes the feature, and writes if that is wanted. A row without a word for the axis measures along the tool axis only.
 pub fn fitting(rows: &'static [Row], of: &Probed) -> Option<&'static Row> {
     let writes = of.row.is_some();
     rows.iter().find(|row| {
@@ -332,19 +332,19 @@ pub fn fitting(rows: &'static [Row], of: &Probed) -> Option<&'static Row> {
 /// A result of a call.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
-    /// Its code in the job.
+    /// Code in the job.
     pub code: &'static str,
     pub number: usize,
     pub is: Is,
 }
 
 impl Row {
-    /// Its words, in their order.
+    /// Its words in order.
     pub fn words(&self) -> impl Iterator<Item = (u16, Is)> {
         self.words.iter().flat_map(|group| group.iter().copied())
     }
 
-    /// Whether it stops for sizes and for places that are off by more than their limits.
+    /// Whether it stops for sizes and for positions beyond their limits.
     pub fn stops(&self) -> [bool; 2] {
         let stops = self.words().find_map(|(_, is)| {
             if let Is::Stops { sizes, places } = is {
@@ -356,7 +356,7 @@ impl Row {
         stops.unwrap_or_default()
     }
 
-    /// Its results by their codes, and where each is found. `places` are the codes of coordinates, `sizes` those of sizes; a result without one is not used.
+    /// Its results by their codes, with their storage. `places` are the codes of coordinates, `sizes` those of sizes; a result without a code is not used.
     pub fn found(
         &self,
         of: &Probed,
@@ -384,20 +384,20 @@ impl Row {
         found
     }
 
-    /// The words of the call for what is to be probed.
+    /// Words of the call for a feature.
     pub fn call(&self, of: &Probed, asked: &Asked) -> Vec<(u16, Quantity)> {
         self.words()
             .filter_map(|(number, is)| Some((number, is.value(of, asked)?)))
             .collect()
     }
 
-    /// What a call with these values probes; none if a value that it needs is missing. `from` is the position of the ball at the call.
+    /// The feature of a call with these values; `None` if a necessary value is missing. `from` is the ball centre at the call.
     pub fn probed(&self, from: Vec3, get: impl Fn(u16) -> Option<f64>) -> Option<Probed> {
         let mut of = Probed {
             center: from,
             ..Probed::unknown(self.shape, self.inside)
         };
-        // A place along an axis needs the axis.
+        // A position along an axis needs the axis.
         let axis = |(_, is): &(u16, Is)| matches!(is, Is::Axis);
         let others = self.words().filter(|word| !axis(word));
         let others = others.chain(self.also.iter().copied());

@@ -1,4 +1,4 @@
-//! SINUMERIK's measuring cycles, by the places of their arguments (Operate style, up to 29).
+//! SINUMERIK's measuring cycles, by the positions of their arguments (Operate style, up to 29).
 
 use super::rows::{Is, Row, Shape, Words};
 use super::{Argument, Call, Mark, angle, length, plain};
@@ -108,7 +108,7 @@ const PATH: Words = &[
     (11, Is::Down),
     (12, Is::Zone(0)),
 ];
-/// The tolerances that every call has, then the words that only a correction has.
+/// Tolerances of every call, then the words of a correction.
 const TOLERANCES: Words = &[
     (15, number(1.0)),
     (18, number(0.0)),
@@ -126,7 +126,7 @@ const CENTRE: Words = &[
     (29, Is::Stated(1)),
 ];
 const MIDDLE: Words = &[(26, number(1.0)), (27, number(11.0)), (28, Is::StatedAlong)];
-/// Where a call writes, and the probe data set.
+/// Target of the write, and the probe data set.
 const OFFSET: Words = &[(2, Is::Row), (4, number(1.0))];
 const SIZE: Words = &[(5, Is::Size(0))];
 const SIDES: Words = &[(6, Is::Size(0)), (7, Is::Size(1))];
@@ -150,7 +150,7 @@ const ROUND: Words = &[(5, Is::Center(0)), (6, Is::Center(1)), (4, Is::Size(0))]
 const ACROSS: Words = &[(5, Is::Along), (4, Is::Size(0))];
 const BOTH: Words = &[(5, Is::Center(0)), (6, Is::Center(1))];
 
-/// CYCLE977 by its kinds, and CYCLE978. [S: two generators that copy the control's own editor; where a rectangle and a width put their results is ours]
+/// CYCLE977 by its kinds, and CYCLE978. [S: two generators that copy the control's own editor; the storage of the results of a rectangle and a width is ours]
 #[rustfmt::skip]
 pub static ROWS: [Row; 7] = [
     feature((Shape::Bore, true), &[&[(1, Is::Variant(1))], OFFSET, SIZE, PATH, TOLERANCES, CENTRE], ROUND),

@@ -230,7 +230,7 @@ const fn centroid(
     }
 }
 
-/// Numbers of Renishaw's macros, and other meanings: a letter names the axis, and a slot and a hole have numbers of their own.
+/// Macros with Renishaw's numbers but other meanings: a letter names the axis, and a slot and a hole have their own numbers.
 pub static CENTROID: [Call; 11] = [
     centroid(
         "G65 P9810",

@@ -1,4 +1,4 @@
-//! What a call writes that lasts: into which register, along which axes.
+//! Lasting writes of a call: register and axes.
 
 use super::rows::{self, Is, Row, Shape};
 use super::{Call, heidenhain};
@@ -8,24 +8,24 @@ use super::{Call, heidenhain};
 pub struct Written {
     /// `offset` or `wear`.
     pub kind: &'static str,
-    /// The work offset, 1 = G54, 0 the active one; `None` if it is not known which.
+    /// Number of the work offset, 1 = G54, 0 the active one; `None` if unknown.
     pub number: Option<i32>,
-    /// What is written, where it is no numbered work offset.
+    /// The written register, if it is not a numbered work offset.
     pub register: String,
-    /// X, Y, Z: a bit each.
+    /// X, Y, Z: one bit each.
     pub axes: u8,
-    /// False where an argument that is not known decides whether the call writes at all.
+    /// False if an unknown argument decides whether the call writes at all.
     pub is_sure: bool,
 }
 
-/// The beginning of the meaning of a letter that names a work offset.
+/// Start of the meaning of a letter that names a work offset.
 const OFFSET: &str = "work offset that is written";
 
 /// X and Y.
 const LEVEL: u8 = 3;
 
 impl Call {
-    /// What the call writes, by its arguments: NaN is not known.
+    /// The writes of a call, by its arguments; NaN is unknown.
     pub fn written(&self, arguments: &[(String, f64)]) -> Vec<Written> {
         let given = |name: &str| {
             arguments
@@ -67,7 +67,7 @@ impl Call {
         offset.into_iter().chain(tool).collect()
     }
 
-    /// The axes along which one of Renishaw's macros, or a like one, measures.
+    /// Axes along which one of Renishaw's macros, or a similar one, measures.
     fn axes(&self, arguments: &[(String, f64)]) -> u8 {
         let number = self.name.strip_prefix("G65 P98").unwrap_or_default();
         if matches!(number, "14" | "19" | "21" | "22" | "23" | "43") {
@@ -86,7 +86,7 @@ impl Call {
     }
 }
 
-/// A tool by its number, where that is known.
+/// A tool by its number, if that is known.
 pub fn tool_name(number: f64) -> String {
     if number.is_nan() {
         return "tool".to_owned();
@@ -94,7 +94,7 @@ pub fn tool_name(number: f64) -> String {
     format!("tool {}", crate::num::decimal(number, 0))
 }
 
-/// The work offset that a number names: 1 to 6, 54 to 59, or one of the further ones.
+/// The work offset with a number: 1 to 6, 54 to 59, or a further one.
 fn numbered(letter: &str, value: f64) -> (Option<i32>, String) {
     let whole = value as i32;
     match whole {
@@ -107,7 +107,7 @@ fn numbered(letter: &str, value: f64) -> (Option<i32>, String) {
     }
 }
 
-/// A HEIDENHAIN's cycles that set a datum, a basic rotation or a rotary axis.
+/// HEIDENHAIN cycles that set a datum, a basic rotation or a rotary axis.
 fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
     let number: u16 = cycle.parse().ok()?;
     let row = heidenhain::row(number);
@@ -129,7 +129,7 @@ fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
         (400..=402 | 405, _) => (Some(0), "basic rotation".to_owned()),
         (_, Some(0.0) | None) => (Some(0), "active datum".to_owned()),
         (_, Some(row)) if row.is_nan() => (None, "row of the table".to_owned()),
-        // It is active only once it is selected.
+        // It is active only after it is selected.
         (_, Some(row)) => (
             Some(row as i32),
             format!("row {}", crate::num::decimal(row, 0)),
@@ -144,7 +144,7 @@ fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
     })
 }
 
-/// The axes that a call of a row measures.
+/// Axes that the call of a row measures.
 fn measured_axes(row: &Row, given: &impl Fn(&str) -> Option<f64>) -> u8 {
     if matches!(row.shape, Shape::Bore | Shape::Rectangle) {
         return LEVEL;
@@ -159,10 +159,10 @@ fn measured_axes(row: &Row, given: &impl Fn(&str) -> Option<f64>) -> u8 {
     }
 }
 
-/// A SINUMERIK's measuring cycles: the hundreds of the variant correct, the second argument is the register.
+/// SINUMERIK's measuring cycles: the hundreds of the variant correct, the second argument is the register.
 fn corrected(name: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
     let variant = given("1")?;
-    // One that is not known may.
+    // An unknown variant may correct.
     let corrects = variant.is_nan() || rows::corrects(variant);
     corrects.then_some(())?;
     let (number, register) = match given("2") {
@@ -209,7 +209,7 @@ mod tests {
             .collect()
     }
 
-    /// By the words of the calls: S and T of Renishaw's macros, Q305 and the kind of a HEIDENHAIN's cycle, the variant of a SINUMERIK's.
+    /// By the words of the calls: S and T of Renishaw's macros, Q305 and the kind of a HEIDENHAIN cycle, the variant of a SINUMERIK.
     #[test]
     fn a_call_writes_what_its_words_say() {
         let one = |what: &str, number: Option<i32>, axes: u8| vec![(what.to_owned(), number, axes)];

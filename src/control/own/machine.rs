@@ -3,33 +3,33 @@
 use crate::geom::Vec3;
 use crate::path::{Arc, Feed, Move, Purpose};
 
-/// What a ball meets on a straight way.
+/// A contact of the ball on a straight move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Met {
-    /// Its centre there.
+    /// Ball centre at the contact.
     pub center: Vec3,
-    /// Which surface it is; 0 where that does not matter.
+    /// Index of the surface; 0 if that does not matter.
     pub surface: usize,
     /// Whether it is an edge, a corner or a rim.
     pub edge: bool,
 }
 
-/// What stops a cycle. The numbers are those of Renishaw's macros.
+/// Alarm of a cycle. The numbers are those of Renishaw's macros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Alarm {
     /// 86: a contact in a protected move.
     Obstructed,
     /// 91: its arguments contradict each other.
     Arguments,
-    /// 92: a contact on the way, or at the start of a touch.
+    /// 92: a contact before a touch, or at its start.
     Unexpected,
     /// 93: no contact.
     NotFound,
-    /// A move that nothing watches meets something.
+    /// A contact in an unwatched move.
     Collision,
 }
 
-/// What a move is.
+/// Kind of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Watched positioning: G31 with a comparison.
@@ -42,40 +42,40 @@ pub enum Kind {
     Measure,
     /// The touch of a cycle that touches once.
     Once,
-    /// Back from a touch, by a feed.
+    /// Retract from a touch, at a feed.
     Back,
 }
 
-/// A move that was made: of a touch, `to` is the end of its search.
+/// A simulated move. For a touch `to` is the end of its search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Made {
     pub kind: Kind,
     pub to: Vec3,
     pub met: Option<Met>,
-    /// mm/min; none is a rapid, or not known.
+    /// Feed, mm/min; `None` is a rapid, or unknown.
     pub rate: Option<f64>,
-    /// The arc that it runs along; none is straight.
+    /// Arc of the move; `None` is straight.
     pub arc: Option<Arc>,
-    /// Which of the moves that the calls ask for it is, those of no length counted: the same on any part.
+    /// Ordinal among the moves that the calls make, including those without length: the same on any part.
     pub count: usize,
 }
 
-/// A stop so near to a place is at that place, mm.
+/// A stop this close to a position counts as reaching it, mm.
 pub const IN_POSITION: f64 = 0.05;
 
-/// An arc is followed by pieces of about so many degrees.
+/// Angle of the pieces by which an arc is followed, degrees.
 const PIECE: f64 = 3.0;
 
-/// Answers a way of the ball's centre from one place to another: of a touch with the place where the call expects the contact.
+/// Answers a move of the ball centre between two positions. A touch also gives the expected contact.
 pub type Answers<'w> = &'w mut dyn FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met>;
 
-/// A machine that runs cycles. Places are of the ball's centre, mm.
+/// A machine that runs cycles. Positions are ball centres, mm.
 pub struct Machine<'w> {
     answers: Answers<'w>,
     pub at: Vec3,
-    /// Radius of the ball, as calibrated.
+    /// Calibrated radius of the ball.
     pub radius: f64,
-    /// How far the ball's centre is above what a program's heights are of: its radius where its length ends at the tip.
+    /// Height of the ball centre above the programmed heights: the ball radius if the length ends at the tip.
     tip: f64,
     pub made: Vec<Made>,
     count: usize,
@@ -105,7 +105,7 @@ impl<'w> Machine<'w> {
         self.count += 1;
     }
 
-    /// The height of the ball's centre for a height of a program.
+    /// Height of the ball centre for a programmed height.
     pub fn height(&self, programmed: f64) -> f64 {
         programmed + self.tip
     }
@@ -123,14 +123,14 @@ impl<'w> Machine<'w> {
         Ok(())
     }
 
-    /// Whether it is there already: such a move is counted, and not made.
+    /// Whether the ball is there already: such a move is counted but not made.
     fn is_at(&mut self, to: Vec3) -> bool {
         let there = to.distance(self.at) < 1e-9;
         self.count += usize::from(there);
         there
     }
 
-    /// A watched move as fast as the control goes; none if it is there already.
+    /// A watched move at the control's rapid rate; nothing if the ball is there already.
     pub fn goes(&mut self, to: Vec3) -> Result<(), Alarm> {
         if self.is_at(to) {
             Ok(())
@@ -139,7 +139,7 @@ impl<'w> Machine<'w> {
         }
     }
 
-    /// One touch in a direction, searching `behind` where the contact is expected, and back: where the ball's centre was.
+    /// One touch in a direction, searching `behind` past the expected contact, and its retract. Returns the ball centre at the contact.
     pub fn touches_once(
         &mut self,
         contact: Vec3,
@@ -152,7 +152,7 @@ impl<'w> Machine<'w> {
         Ok(met)
     }
 
-    /// A move that nothing watches.
+    /// An unwatched move.
     pub fn plain(&mut self, to: Vec3, kind: Kind, rate: Option<f64>) -> Result<(), Alarm> {
         if self.is_at(to) {
             return Ok(());
@@ -197,7 +197,7 @@ impl<'w> Machine<'w> {
         if met.is_some() { Err(alarm) } else { Ok(()) }
     }
 
-    /// A touch towards the end of its search; the contact is expected at a place.
+    /// A touch towards the end of its search, with the expected contact.
     pub fn touch(
         &mut self,
         end: Vec3,

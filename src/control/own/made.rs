@@ -1,4 +1,4 @@
-//! What native cycles made, as a path.
+//! Turns the executed moves of native cycles into a path.
 
 use super::machine::{Alarm, Kind, Machine, Made};
 use super::{Meets, Outcome, OwnRequest};
@@ -6,17 +6,17 @@ use crate::formula::Role;
 use crate::geom::Vec3;
 use crate::path::{Feed, Guard, Move, Own, OwnBlock, Path, Purpose, Reach, Stored, Touch};
 
-/// How nearly directions must agree.
+/// Tolerance for equal directions.
 const NEAR: f64 = 1e-6;
 
-/// Whether a direction is parallel to an axis. The sine is asked: a cosine that is off by 1e-6 is a turn of 0.08°.
+/// Whether a direction is parallel to an axis. The sine is compared: a cosine that is off by 1e-6 is an angle of 0.08°.
 pub fn is_along(direction: Vec3, axis: usize) -> bool {
     (0..3).all(|other| other == axis || direction[other].abs() < NEAR)
 }
 
-/// Moves and touches of what was made. Touches are in the order of the documented ones, which the formula counts by; or in their own order.
-/// `feeds` has of each the program's feed, where it is the program's own move, and the step; `search` is the rate of the first of two touches. `None` if
-/// others than the documented surfaces are touched.
+/// Path of the executed moves. Its touches are in the order of the documented ones, by which the formula counts, or in their own order. `feeds` has, for each
+/// move, the feed if it belongs to the program, and the step; `search` is the rate of the first of two touches. `None` if other surfaces than the documented
+/// ones are touched.
 pub fn moves_of(
     path: &Path,
     own_order: bool,
@@ -103,7 +103,7 @@ pub fn are_quarters(angles: &[f64]) -> bool {
     quarters == [0, 1, 2, 3]
 }
 
-/// Where a documented cycle begins its first touch.
+/// Start of the first touch of a documented cycle.
 pub fn begins(path: &Path) -> Option<Vec3> {
     path.searches().next().and_then(|(_, from, _)| from)
 }
@@ -120,7 +120,7 @@ pub fn start(path: &Path) -> Option<Vec3> {
 /// Runs a block of a program; `None` if the block does not move.
 pub type Runs = fn(&OwnBlock, Reach, &mut Machine<'_>) -> Option<Result<(), Alarm>>;
 
-/// A program of cycles that is put together.
+/// A program of cycles under construction.
 #[derive(Debug)]
 pub struct Drafted {
     pub blocks: Vec<OwnBlock>,
@@ -132,7 +132,7 @@ pub struct Drafted {
     pub reach: Reach,
 }
 
-/// The path that a program makes on the nominal part, its touches in the order of the documented ones. Else what stops it, or nothing where it touches other
+/// Path of a program on the nominal part, its touches in the order of the documented ones. Otherwise the alarm that stops it, or `None` if it touches other
 /// surfaces than the documented cycle.
 pub fn planned(
     request: &OwnRequest<'_>,
@@ -185,7 +185,7 @@ pub fn planned(
     Ok(path)
 }
 
-/// Runs a program again on another part. `tip` is how far the ball's centre is above what its heights are of.
+/// Runs a program on another part. `tip` is the height of the ball centre above the programmed heights.
 pub fn rerun(own: &Own, (radius, tip): (f64, f64), runs: Runs, meets: Meets<'_>) -> Outcome {
     let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
     let mut machine = Machine::new(own.first, radius, tip, &mut answer);

@@ -1,4 +1,4 @@
-//! Cycles of a control's own whose path is known: who plans it, and who runs it on another part.
+//! Native cycles with known paths: their planning, and their simulation on another part.
 
 pub mod machine;
 pub mod made;
@@ -11,76 +11,76 @@ use crate::num::{decimal, tidy};
 use crate::path::{Feed, Feeds, Own, OwnBlock, Path, Setup, Stored};
 use crate::text::{Text, words};
 
-/// What such a path is to be planned for.
+/// Input for planning native cycles.
 #[derive(Debug)]
 pub struct OwnRequest<'a> {
-    /// The path as the cycle documents it.
+    /// Documented path of the cycle.
     pub path: &'a Path,
     pub setup: &'a Setup,
     pub feeds: &'a Feeds,
     /// Millimetres in a unit of the job.
     pub scale: f64,
-    /// The work offset to write, 1 = G54; none measures only.
+    /// Work offset to write, 1 = G54; `None` only measures.
     pub work_offset: Option<i32>,
-    /// How the calls name it.
+    /// Number of a work offset in the calls.
     pub offset: fn(i32) -> f64,
     pub limits: Limits,
-    /// Of a job that switches the probe: whether on.
+    /// For a job that switches the probe: whether on.
     pub switches_on: bool,
     pub report: Report,
-    /// What the probe table adds to each clearance, mm.
+    /// Clearance that the probe table adds, mm.
     pub set_up: f64,
-    /// The height between the cycles of a set-up, if native cycles make the ways between them; else `None`.
+    /// Height between the cycles of a set-up, if native cycles make the link moves; else `None`.
     pub clear: Option<f64>,
-    /// The tools that are corrected, by the codes of the results.
+    /// Corrected tools, by the codes of the results.
     pub wear: &'a [(String, Wear)],
-    /// Whether the control takes the job as a program of moves.
+    /// Whether the control supports the job as a program of moves.
     pub takes_moves: bool,
 }
 
-/// Why a job is refused: code, field, words.
+/// Reasons for refusing a job: code, field, text.
 pub type Refused = Vec<(&'static str, String, Text)>;
 
-/// What a ball's centre meets on a straight way.
+/// First contact of the ball centre on a straight move.
 pub type Meets<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<Met>;
 
-/// What each move met, up to the alarm that ended them.
+/// The executed moves with their contacts, and the alarm that ended them, if any.
 pub type Outcome = (Vec<Made>, Option<Alarm>);
 
-/// How native cycles are planned, run and named.
+/// Hooks of a control's native cycles: planning, simulation, naming.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnCycles {
     /// Plans the calls and their path on the nominal part.
     pub plan: for<'a> fn(&OwnRequest<'a>, Meets<'_>) -> Result<Path, Refused>,
-    /// Runs the calls again on another part.
+    /// Runs the calls on another part.
     pub rerun: fn(&Own, f64, Meets<'_>) -> Outcome,
-    /// Whether a program of calls is read back and followed: what it does before, between and after them.
+    /// Whether a program of calls is read back and traced: its own moves before, between and after them.
     pub followed: bool,
-    /// How the calls name a work offset.
+    /// Number of a work offset in the calls.
     pub offset: fn(i32) -> f64,
-    /// How a manual calls a word of a call: `P9814 D`, `412 Q262`.
+    /// Notation of a word of a call in a manual: `P9814 D`, `412 Q262`.
     pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
     /// Whether they can correct a tool offset from a measured size.
     pub corrects_tools: bool,
-    /// How one program contains several of them.
+    /// Linking of several cycles in one program.
     pub several: Several,
 }
 
-/// What a program of several cycles has between two of them.
+/// Blocks of a program between two of several cycles.
 #[derive(Clone, Copy, Debug)]
 pub struct Several {
-    /// The block of a way between two cycles: to a place, along these axes, for a ball of this radius, at a feed of this rate (mm/min).
+    /// Block of a link move between two cycles: to a position, along these axes, for a ball of this radius, at a feed with this rate (mm/min).
     pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> OwnBlock,
-    /// Whether each cycle moves to the next one at its clearance height: the program then has no block for that move.
+    /// Whether each cycle moves to the next one at its clearance height, so that the program needs no block for the link move.
     pub comes_itself: bool,
-    /// The first and the last of the variables that keep what the next cycle empties.
+    /// First and last of the variables that save results before the next cycle overwrites them.
     pub kept: (usize, usize),
 }
 
 impl OwnRequest<'_> {
-    /// What else can be done where its own cycles do not take a job.
+    /// Advice if its native cycles do not support a job.
     pub fn advice(&self) -> Text {
         Text::words(if self.takes_moves {
             words!(". Use the form \"moves\"")
@@ -96,7 +96,7 @@ impl OwnRequest<'_> {
     }
 }
 
-/// A value of a call by its letter, or by the number of its parameter: lengths in mm, angles in degrees.
+/// Value of a call by its letter or parameter number: lengths in mm, angles in degrees.
 pub fn value<K: PartialEq>(values: &[(K, f64)], key: K) -> Option<f64> {
     values
         .iter()
@@ -104,12 +104,12 @@ pub fn value<K: PartialEq>(values: &[(K, f64)], key: K) -> Option<f64> {
         .map(|(_, value)| *value)
 }
 
-/// The angle of a direction in the plane XY, degrees from X towards Y.
+/// Angle of a direction in the plane XY, degrees from X towards Y.
 pub fn degrees_of(direction: Vec3) -> f64 {
     tidy(direction.y.atan2(direction.x).to_degrees())
 }
 
-/// The direction in the plane XY at an angle, degrees from X towards Y.
+/// Direction in the plane XY at an angle, degrees from X towards Y.
 pub fn direction_at(degrees: f64) -> Vec3 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     Vec3::new(cos, sin, 0.0)

@@ -1,28 +1,28 @@
-//! Moves of each macro, from its arguments and the stylus position: facts of the macros' own behaviour, version 3.14 for Haas NGC [S]; their
-//! feeds and the way back between the two touches are settings of an installation [I: those of that edition].
+//! Moves of each macro, from its arguments and the stylus position: behaviour of the macros, version 3.14 for Haas NGC [S]; their feeds and the back-off
+//! between the two touches are settings of an installation [I: those of that edition].
 
 use crate::control::own::machine::{Alarm, Kind, Machine};
 use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
-/// Feeds of the macros, mm/min: positioning, going down and the first touch, the second touch.
+/// Feeds of the macros, mm/min: positioning, descent and first touch, second touch.
 pub const FAST: f64 = 5000.0;
 pub const SEARCH: f64 = 0.6 * FAST;
 pub const MEASURE: f64 = 102.0;
 
-/// From the first contact back to where the second touch begins, mm: 8 mm times a factor of the calibration, 0.2 unless it was found.
+/// Back-off from the first contact to the start of the second touch, mm: 8 mm times a factor of the calibration, by default 0.2.
 pub const BACK_OFF: f64 = 1.6;
 
-/// How far a touch searches unless Q says it, and how far a touch begins from the surface of the ball unless R does, mm.
+/// Default Q: search distance. Default R: distance of the start from the surface of the ball, mm.
 const Q: f64 = 5.0;
 const R: f64 = 5.0;
-/// The same of 9843.
+/// Default Q of 9843.
 const Q_ANGLE: f64 = 10.0;
 
-/// The macros whose moves are known, by their numbers.
+/// Numbers of the macros with known moves.
 pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 9823, 9843];
 
-/// Runs a macro by its letters, lengths in mm and angles in degrees: none of a number that is not known here.
+/// Runs a macro by its letters, lengths in mm and angles in degrees; `None` for an unknown number.
 pub fn run(number: u32, letters: &[(char, f64)], m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let call = Call {
         letters,
@@ -44,8 +44,8 @@ pub fn run(number: u32, letters: &[(char, f64)], m: &mut Machine<'_>) -> Option<
 }
 
 impl Machine<'_> {
-    /// The two touches towards a place, up to `q` behind it, and back: where the ball's centre was at the second contact. The contact is expected
-    /// `before` the place: by a radius where that is a point of the surface.
+    /// Both touches towards a position, up to `q` past it, and the retract. Returns the ball centre at the second contact. The contact is expected `before` the
+    /// position: by a radius if the position is on the surface.
     pub fn measure(&mut self, place: Vec3, q: f64, before: f64) -> Result<Vec3, Alarm> {
         let start = self.at;
         let way = place - start;
@@ -67,7 +67,7 @@ struct Call<'l> {
     q: f64,
 }
 
-/// Whether 9822 touches at A + 90 first: the order changes at 90.
+/// First angle at which 9822 touches; the order changes at A = 90.
 pub fn first_side(a: f64, outside: bool) -> f64 {
     let inside = if a < 90.0 { a + 90.0 } else { a - 90.0 };
     if outside { inside + 180.0 } else { inside }
@@ -82,7 +82,7 @@ impl Call<'_> {
         self.get(letter).ok_or(Alarm::Arguments)
     }
 
-    /// Z and R of a feature that is gone down beside: the height of the ball's centre, and the clearance from its surface.
+    /// Z and R of a macro that goes down beside the feature: height of the ball centre, and clearance from its surface.
     fn beside(&self, m: &Machine<'_>) -> Option<(f64, f64)> {
         Some((m.height(self.get('Z')?), self.get('R').unwrap_or(R)))
     }
@@ -111,7 +111,7 @@ impl Call<'_> {
             .map(drop)
     }
 
-    /// Minus first, then plus; both ends at where it began.
+    /// Minus side first, then plus; both end at the start.
     fn along(&self, m: &mut Machine<'_>, axis: usize, size: f64) -> Result<f64, Alarm> {
         let start = m.at;
         let (at, beside) = (
@@ -152,7 +152,7 @@ impl Call<'_> {
         self.along(m, axis, size).map(drop)
     }
 
-    /// Y first, then X through the middle that was found.
+    /// Y first, then X through the measured middle.
     fn round(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (size, start) = (self.need('D')?, m.at);
         let middle = self.along(m, 1, size)?;
@@ -161,7 +161,7 @@ impl Call<'_> {
         m.plain(start, Kind::Rapid, None)
     }
 
-    /// The first touch of a wall at the start, or at `first`; with a step a second one, away from the corner.
+    /// First touch of a wall at the start, or at `first`; with a step a second one, away from the corner.
     fn wall(
         &self,
         m: &mut Machine<'_>,
@@ -192,7 +192,7 @@ impl Call<'_> {
     fn corner(&self, m: &mut Machine<'_>, outside: bool) -> Result<(), Alarm> {
         let (x, y, start) = (self.need('X')?, self.need('Y')?, m.at);
         let (first_x, first_y) = (2.0 * x - start.x, 2.0 * y - start.y);
-        // From inside away from the corner is where the start lies, from outside the other side.
+        // From inside, away from the corner is the side of the start; from outside the opposite side.
         let sign = |wall: f64, start: f64| if (start > wall) == outside { -1.0 } else { 1.0 };
         let step = |letter: char, wall: f64, start: f64| {
             self.get(letter).map(|step| step.abs() * sign(wall, start))
@@ -215,7 +215,7 @@ impl Call<'_> {
             .map(drop)
     }
 
-    /// Out to a side, down, a touch, up and back. Beside a feature Q counts from the nominal contact of the ball's centre, and not from the surface.
+    /// Out to a side, down, touch, up and back. Beside a feature Q counts from the nominal ball centre at the contact, not from the surface.
     fn side(&self, m: &mut Machine<'_>, a: f64, size: f64) -> Result<(), Alarm> {
         let start = m.at;
         let (mut towards, mut way, mut before) = (direction_at(a), size / 2.0, m.radius);
@@ -250,7 +250,7 @@ impl Call<'_> {
         Ok(())
     }
 
-    /// Plus first, along the wall as it nominally runs, then minus.
+    /// Plus side first, along the nominal wall, then minus.
     fn wall_angle(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (start, half) = (m.at, self.need('D')? / 2.0);
         let (axis, place) = match (self.get('X'), self.get('Y')) {
@@ -281,7 +281,7 @@ mod tests {
     use super::*;
     use crate::control::own::machine::Met;
 
-    /// The moves of a call on what answers, by hand: kind, place, contact.
+    /// Moves of a call with given contacts, by hand: kind, position, contact.
     fn made(
         number: u32,
         letters: &[(char, f64)],
@@ -313,7 +313,7 @@ mod tests {
         rows.chain(alarm).collect()
     }
 
-    /// A wall across X: the ball's centre comes to `limit`, from below it.
+    /// A wall across X: the ball centre reaches `limit` from below.
     fn wall(limit: f64) -> impl Fn(Vec3, Vec3) -> Option<Vec3> {
         move |from: Vec3, to: Vec3| {
             let part = (limit - from.x) / (to.x - from.x);
@@ -321,7 +321,7 @@ mod tests {
         }
     }
 
-    /// P9811 X40 Q2 from X30 with a ball of 6: the search ends 2 behind the surface, by the ball's centre; contact at 37; 1.6 back; again.
+    /// P9811 X40 Q2 from X30 with a ball of 6: the search ends with the ball centre 2 past the surface; contact at 37; back-off 1.6; second touch.
     #[test]
     fn a_surface_is_touched_twice() {
         let rows = made(
@@ -362,7 +362,7 @@ mod tests {
         );
     }
 
-    /// A web of 30 along Y, from 12 above: out by 15 + 3 + 4, down to the tip's Z−8 (the ball's centre at −5), in, up, over, the other side.
+    /// A web of 30 along Y, from 12 above: out by 15 + 3 + 4, down to the tip's Z−8 (ball centre at −5), in, up, over, the other side.
     #[test]
     fn a_web_is_gone_down_beside() {
         let faces = |from: Vec3, to: Vec3| {
@@ -400,10 +400,10 @@ mod tests {
         );
     }
 
-    /// A hole of 20 whose middle lies at Y+1: Y first, then X through the middle that was found.
+    /// A hole of 20 with its middle at Y+1: Y first, then X through the measured middle.
     #[test]
     fn the_second_pair_of_a_hole_runs_through_the_found_middle() {
-        // The ball's centre stays within a circle of 7 about (0, 1).
+        // The ball centre stays within a circle of 7 about (0, 1).
         let circle = |from: Vec3, to: Vec3| {
             let (a, b) = (from - Vec3::new(0.0, 1.0, from.z), to - from);
             let (aa, ab, bb) = (a.dot(a) - 49.0, a.dot(b), b.dot(b));
@@ -427,10 +427,10 @@ mod tests {
         assert_eq!(rows.last().unwrap(), "Rapid 0 0 -5");
     }
 
-    /// Inside corner at (10, 20), start at (30, 35): X first, the second touch by J away; an outside corner begins behind the mirrored start.
+    /// Inside corner at (10, 20), start at (30, 35): X first, the second touch at a distance of J; an outside corner begins past the mirrored start.
     #[test]
     fn corners_step_away_from_the_corner() {
-        // The ball's centre comes to these places across the walls, from either side.
+        // The ball centre reaches these positions across the walls, from either side.
         let contact = |planes: [f64; 2]| {
             move |from: Vec3, to: Vec3| {
                 let axis = (0..2).find(|&axis| {
@@ -460,9 +460,9 @@ mod tests {
                 "Search 37 19 0"
             ]
         );
-        // From outside, left of and below the corner: the first touches are as far behind it as the start is in front.
+        // From outside, left of and below the corner: the first touches are as far behind the corner as the start is in front of it.
         let planes = |from: Vec3, to: Vec3| {
-            // Along X above the corner, along Y right of it.
+            // Free along X above the corner, along Y right of it.
             let free = from.y.max(to.y) < 17.0 || from.x.max(to.x) < 7.0;
             (!free).then(|| contact([7.0, 17.0])(from, to)).flatten()
         };
@@ -492,7 +492,7 @@ mod tests {
         );
     }
 
-    /// A wall line at 30 degrees: A < 90 touches at 120 first, from 90 on at A − 90; beside a web the other way round.
+    /// A wall at 30 degrees: A < 90 touches at 120 first, from 90 on at A − 90; the opposite beside a web.
     #[test]
     fn the_order_of_a_turned_width_changes_at_90() {
         assert_eq!(
@@ -514,7 +514,7 @@ mod tests {
             },
         );
         assert_eq!(rows[0], "Search 0 7 0 at 0 2 0");
-        // With Z and R inside, Q counts from the contact of the ball's centre: 5 − 3 − 1 = 1 out, 1 to the contact at 2, 2 more.
+        // With Z and R inside, Q counts from the ball centre at the contact: 5 − 3 − 1 = 1 out, 1 to the contact at 2, 2 more.
         let rows = made(
             9822,
             &[
@@ -533,7 +533,7 @@ mod tests {
         );
     }
 
-    /// A wall across X that runs at 90 − atan(0.1): the second touches begin a step aside along it.
+    /// A wall across X at 90 − atan(0.1): the second touches begin a step aside along it.
     #[test]
     fn a_wall_angle_begins_on_the_plus_side() {
         let rows = made(

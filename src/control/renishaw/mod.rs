@@ -1,4 +1,4 @@
-//! Renishaw's macros for Fanuc and its kin: what they do, and the programs that call them.
+//! Renishaw's macros for Fanuc and compatible controls: their moves, and the programs that call them.
 
 pub mod macros;
 pub(super) mod post;
@@ -7,7 +7,7 @@ mod serve;
 use crate::control::own::OwnCycles;
 use crate::path::Stored;
 
-/// The cycles of a control that names work offsets and results so.
+/// Native cycles of a control with this notation of work offsets and results.
 pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> OwnCycles {
     let word = |number, letter: &str| format!("P{number} {letter}");
     OwnCycles {

@@ -1,8 +1,8 @@
-//! The program of calls to Renishaw's macros.
+//! Programs of calls to Renishaw's macros.
 //!
-//! Sources: the macros themselves (version 3.14 for Haas NGC), the post that the CAM's maker publishes and those of another, shop programs [S].
-//! Ours, and marked [I] in the docs: Q as the overtravel less the ball's radius, R as the side clearance less it, heights as those of the stylus tip, the
-//! variables #101 and following for what the next call empties.
+//! Sources: the macros themselves (version 3.14 for Haas NGC), the post that the CAM's maker publishes and those of another, shop programs [S]. Ours, and
+//! marked [I] in the docs: Q as the overtravel less the ball radius, R as the side clearance less it, heights as those of the stylus tip, the variables #101
+//! and following for results that the next call overwrites.
 
 use crate::control::iso::writer::Writer;
 use crate::control::{
@@ -14,32 +14,32 @@ use crate::num::decimal;
 use crate::path::{Off, Own, OwnBlock, Quantity, STATED_RAPID, Stored};
 use crate::text::text;
 
-/// How a control's programs call the macros.
+/// Notation of macro calls on a control.
 #[derive(Debug)]
 pub(in crate::control) struct Calls {
     /// Text before the number of a macro.
     pub call: &'static str,
-    /// By how much its numbers are lower than those of the others.
+    /// Difference of its numbers from those of the other controls.
     pub lower: u32,
-    /// Texts before a letter, and between the letter and its value.
+    /// Text before a letter, and between the letter and its value.
     pub letter: (&'static str, &'static str),
-    /// Whether macros switch the probe: elsewhere the control does.
+    /// Whether macros switch the probe; otherwise the control does.
     pub switches: bool,
-    /// What a program begins and ends with.
+    /// First and last line of a program.
     pub tape: Option<&'static str>,
-    /// What ends it.
+    /// Code at the end of a program.
     pub end: &'static str,
-    /// The code that makes the length of the probe count.
+    /// Code that activates the length of the probe.
     pub length: &'static str,
-    /// What the block that turns the spindle has after M19, before the angle; `None` if M19 turns to the one angle that is set in the control.
+    /// Words after M19 and before the angle, in the block that orients the spindle; `None` if M19 orients to the one angle set in the control.
     pub angle: Option<&'static str>,
-    /// Whether a source says which numbers its alarms have.
+    /// Whether a source gives the numbers of its alarms.
     pub numbered_alarms: bool,
-    /// The macros that no source shows on this control: that it has them follows from its other numbers.
+    /// Macros that no source shows on this control. That it has them follows from its other numbers.
     pub not_seen: &'static [u32],
 }
 
-/// Those of a Fanuc, and of most.
+/// Notation on a Fanuc and most other controls.
 pub(in crate::control) const CALLS: Calls = Calls {
     call: "G65 P",
     lower: 0,
@@ -54,7 +54,7 @@ pub(in crate::control) const CALLS: Calls = Calls {
 };
 
 impl Calls {
-    /// How the control's screen and its manual call a macro: `P9814`.
+    /// Name of a macro on the control's screen and in its manual: `P9814`.
     fn name(&self, number: u32) -> String {
         format!(
             "{}{}",
@@ -64,7 +64,7 @@ impl Calls {
     }
 }
 
-/// The variable that a result is in, of a control with numbered ones.
+/// Variable of a result, on a control with numbered ones.
 pub(in crate::control) fn variable(base: usize, stored: Stored) -> String {
     let number = match stored {
         Stored::Output(output) => base + output,
@@ -73,17 +73,17 @@ pub(in crate::control) fn variable(base: usize, stored: Stored) -> String {
     format!("#{number}")
 }
 
-/// A protected move, the probe on and off, the calibration by directions, that of the length.
+/// Numbers of the macros: protected move, probe on and off, calibration by directions, calibration of the length.
 const PROTECTED: u32 = 9810;
 const ON: u32 = 9832;
 const OFF: u32 = 9833;
 const CALIBRATION: u32 = 9804;
 const LENGTH: u32 = 9801;
 
-/// The macros that ask for a calibration by directions.
+/// Macros that need a calibration by directions.
 const BY_DIRECTIONS: [u32; 3] = [9821, 9822, 9823];
 
-/// The numbers of the macros that a program calls.
+/// Numbers of the macros that a program calls.
 fn called(own: &Own) -> impl Iterator<Item = u32> {
     own.blocks.iter().filter_map(|(block, _)| match block {
         OwnBlock::Call(number, _) => Some(*number),
@@ -91,7 +91,7 @@ fn called(own: &Own) -> impl Iterator<Item = u32> {
     })
 }
 
-/// What the macros of this program ask for and do.
+/// Reports requirements and effects of the macros in this program.
 pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &mut Checker) {
     let Some(own) = &request.path.own else { return };
     let message = text!(
@@ -118,7 +118,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
         );
         checker.info("limit-stops", "limits", message);
     }
-    // Each cycle of a set-up says it for itself.
+    // Each cycle of a set-up reports it for itself.
     if request.path.members.is_empty() && own.blocks.iter().any(|(block, _)| block.writes()) {
         check_asked(request, own, checker);
     }
@@ -144,7 +144,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     number::check_digits(request, checker);
 }
 
-/// What a program that writes does not ask before.
+/// Reports limits that a program does not check before it writes.
 fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
     let path = request.path;
     let of_walls = own.guards.iter().any(|guard| guard.off == Off::BothWalls);
@@ -155,7 +155,7 @@ fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
         checker.warning("limits-not-asked", "limits.angle", message);
     }
     let is_asked = |code: &str| own.guards.iter().any(|guard| guard.codes.contains(&code));
-    // What was said of the walls holds for the angle between them.
+    // A limit of the walls also limits the angle between them.
     let questions = path
         .formula
         .questions(&request.limits)
@@ -194,7 +194,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
         match block {
             OwnBlock::Call(number, letters) => {
                 for _ in 0..*moves {
-                    // A protected move is the program's, the rest is the macro's.
+                    // A protected move belongs to the program, the rest to the macro.
                     if *number == 9810 {
                         w.makes_move()
                     } else {
@@ -233,7 +233,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     w.finish()
 }
 
-/// Where each result is: `#135 center.x`.
+/// Variables of the results: `#135 center.x`.
 fn results(request: &Request<'_>) -> Vec<String> {
     let named = |(code, stored): &(String, Stored)| {
         Some(format!("{} {}", (request.post.own?.name)(*stored), code))
@@ -255,7 +255,7 @@ fn call(calls: &Calls, number: u32, words: &[(char, String)]) -> String {
     )
 }
 
-/// Turns the spindle to the angle of the job.
+/// Orients the spindle to the angle of the job.
 fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
     if let Some(angle) = request.orients() {
         let point = if request.post.dialect.points && angle.fract() == 0.0 {
@@ -270,11 +270,11 @@ fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
     }
 }
 
-/// The position of the stylus is not known: in the plane first, at the present height, then down.
+/// The position of the stylus is unknown: in the plane first, at the current height, then down.
 fn approach(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     if calls.switches {
         w.line(&call(calls, ON, &[]));
-        // The macro orients the spindle itself, to where the control has it.
+        // The macro orients the spindle itself, to the angle set in the control.
         orient(request, calls, w);
     }
     let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));

@@ -1,4 +1,4 @@
-//! Which calls a feature needs, the path that they make of it, and what they measure.
+//! Plans the macro calls for a feature, the path that they make, and their results.
 
 use super::macros::{self, FAST, MEASURE, SEARCH};
 use crate::control::Report;
@@ -13,19 +13,19 @@ use crate::path::{
 };
 use crate::text::{Text, text, words};
 
-/// The first variable that keeps a result: the macros use none below #116.
+/// First variable that saves a result: the macros use none below #116.
 const FIRST_KEPT: usize = 101;
 
-/// The last one.
+/// Last variable that saves a result.
 const LAST_KEPT: usize = 115;
 
-/// A touch begins at least so far from its contact, mm: nearer the macro takes it for a contact at the start.
+/// Smallest distance from the start of a touch to its contact, mm: below it the macro reports a contact at the start.
 const LEAST_CLEARANCE: f64 = 0.2;
 
-/// How nearly directions and places must agree.
+/// Tolerance for equal directions and positions.
 const NEAR: f64 = 1e-6;
 
-/// The path that the macros make of a job's feature, with the calls.
+/// Path of the macros for a job's feature, with the calls.
 pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let mut program = Program::of(request)?;
     match &request.path.feature {
@@ -39,7 +39,7 @@ pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused
     program.finish(meets)
 }
 
-/// Runs the calls of a path again, on what answers: what each of its moves met, up to the alarm.
+/// Runs the calls of a path with other contacts: the executed moves, up to the alarm.
 pub fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
     made::rerun(own, (radius, radius), run, meets)
 }
@@ -56,7 +56,7 @@ fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(
     macros::run(*number, &letters, machine)
 }
 
-/// Between two cycles by protected moves; what the next macro empties is kept.
+/// Link moves between two cycles are protected moves; results that the next macro overwrites are saved.
 pub const SEVERAL: Several = Several {
     way: protected,
     comes_itself: false,
@@ -72,17 +72,17 @@ fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> 
     OwnBlock::Call(9810, letters.chain([('F', Quantity::Feed(rate))]).collect())
 }
 
-/// A program while it is put together.
+/// A program under construction.
 struct Program<'a> {
     request: &'a OwnRequest<'a>,
     radius: f64,
-    /// Where the first move comes to.
+    /// End of the first move.
     first: Vec3,
     at: Vec3,
     blocks: Vec<OwnBlock>,
     stored: Vec<(&'static str, Stored)>,
     guards: Vec<Guard>,
-    /// The feed of each protected move, in order.
+    /// Feed of each protected move, in order.
     feeds: Vec<Feed>,
     kept: usize,
 }
@@ -120,7 +120,7 @@ impl<'a> Program<'a> {
         })
     }
 
-    /// Where the documented cycle begins its first touch.
+    /// Start of the first touch of the documented cycle.
     fn begins(&self) -> Vec3 {
         made::begins(self.request.path).unwrap_or(self.first)
     }
@@ -153,19 +153,19 @@ impl<'a> Program<'a> {
         self.feeds.push(feed);
     }
 
-    /// From the height above down to a place, by way of another height.
+    /// From the height above down to a position, by way of another height.
     fn down(&mut self, over: Vec3, place: Vec3) {
         self.goes(over, &[2], Feed::Approach);
         self.goes(place, &[2], Feed::LongLink);
     }
 
-    /// Up to where the program came from.
+    /// Up to the height from which the program came.
     fn up(&mut self) {
         let first = self.first;
         self.goes(self.at.with_z(first.z), &[2], Feed::Return);
     }
 
-    /// How far a touch searches behind the surface by the ball's centre, for the job's overtravel behind its contact.
+    /// Search distance of the ball centre past the surface, for the job's overtravel past the contact.
     fn q(&self) -> Result<Quantity, Refused> {
         self.q_of(Entry {
             field: "overtravel",
@@ -173,7 +173,7 @@ impl<'a> Program<'a> {
         })
     }
 
-    /// Q of a search that goes so far behind the contact.
+    /// Q of a search this far past the contact.
     fn q_of(&self, overtravel: Entry) -> Result<Quantity, Refused> {
         let q = overtravel.value - self.radius;
         if q <= 0.0 {
@@ -201,12 +201,12 @@ impl<'a> Program<'a> {
         Ok(Quantity::Length(if inside { -r } else { r }))
     }
 
-    /// A measuring call: with the work offset where one is written, tolerances where they are limited, the print where it is asked for.
+    /// A measuring call: with the work offset if one is written, tolerances if there are limits, and the print-out if it is asked for.
     fn measures(&mut self, number: u32, letters: Vec<(char, Quantity)>) {
         self.calls(number, letters, self.request.work_offset);
     }
 
-    /// The same of a size, which may correct a tool; its results.
+    /// A measuring call for a size, which may correct a tool; with its results.
     fn measures_size(
         &mut self,
         number: u32,
@@ -231,7 +231,7 @@ impl<'a> Program<'a> {
             correction.push(('F', Quantity::Plain(wear.share)));
         }
         if wear.dead_band > 0.0 {
-            // The measuring macros compare V with half of the size's error, O9835 with the whole one (Renishaw's macros, read).
+            // The measuring macros compare V with half of the size's error, O9835 with the whole error (read in Renishaw's macros).
             let compared = if wear.mean.is_none() { 0.5 } else { 1.0 };
             correction.push(('V', Quantity::Length(compared * wear.dead_band)));
         }
@@ -242,15 +242,15 @@ impl<'a> Program<'a> {
         }
         self.measures(number, letters);
         self.stores(results);
-        // What the next macro leaves of the results no source says.
+        // No source tells which results the next macro keeps.
         self.keeps();
         self.blocks.push(OwnBlock::Call(9835, correction));
     }
 
-    /// The same, into this work offset.
+    /// A measuring call that writes this work offset.
     fn calls(&mut self, number: u32, mut letters: Vec<(char, Quantity)>, work_offset: Option<i32>) {
         let limits = &self.request.limits;
-        // One touch a wall gives no angle.
+        // One touch on each wall gives no angle.
         let angle = limits
             .angle
             .filter(|_| letters.iter().any(|(letter, _)| *letter == 'J'));
@@ -259,7 +259,7 @@ impl<'a> Program<'a> {
                 letters.push((letter, quantity(value)));
             }
         };
-        // H is not allowed with S in a single surface, and not at all in a corner.
+        // H is not allowed with S in a single surface, and never in a corner.
         if matches!(number, 9812 | 9814 | 9822 | 9823) {
             tolerance('H', limits.size, Quantity::Length);
         }
@@ -277,7 +277,7 @@ impl<'a> Program<'a> {
         self.blocks.push(OwnBlock::Call(number, letters));
     }
 
-    /// Where these results are: in the output of this call, which stops for them by its letters.
+    /// Records where these results are: in the output of this call, which stops for them by its letters.
     fn stores(&mut self, results: &[(&'static str, usize)]) {
         self.stored.extend(
             results
@@ -300,7 +300,7 @@ impl<'a> Program<'a> {
                 .map(|(code, _)| *code)
                 .collect()
         };
-        // H is compared with the size, M with twice how far the place is off, B with both walls.
+        // H is compared with the size, M with twice the deviation of the position, B with both walls.
         let guards = [
             (of(&[3]), Off::Each, letter('H')),
             (
@@ -328,7 +328,7 @@ impl<'a> Program<'a> {
         }));
     }
 
-    /// Keeps what the last call gave, before the next one empties it.
+    /// Saves the results of the last call before the next one overwrites them.
     fn keeps(&mut self) {
         for (_, stored) in &mut self.stored {
             if let Stored::Output(output) = *stored {
@@ -345,7 +345,7 @@ impl<'a> Program<'a> {
         let (vector, start) = (touch.vector, self.begins());
         self.down(start, start);
         if vector.z > 0.0 && made::is_along(vector, 2) {
-            // By a length to the tip the surface itself is measured: Q counts from the contact.
+            // With a length to the tip the surface itself is measured: Q counts from the contact.
             let q = Quantity::Length(self.request.setup.overtravel);
             self.measures(9811, vec![('Z', Quantity::Length(touch.point.z)), ('Q', q)]);
             self.stores(&[("point.x", 0), ("point.y", 1), ("point.z", 2)]);
@@ -481,7 +481,7 @@ impl<'a> Program<'a> {
             let mut letters = match axis_of(touch.vector) {
                 Some(axis) => vec![(['X', 'Y'][axis], Quantity::Length(side.width.value))],
                 None => {
-                    // The angle of the wall, not of the touch.
+                    // Angle of the wall, not of the touch.
                     let wall = (degrees_of(touch.vector) + 90.0).rem_euclid(180.0);
                     vec![
                         ('A', Quantity::Angle(wall)),
@@ -489,7 +489,7 @@ impl<'a> Program<'a> {
                     ]
                 }
             };
-            // Beside a feature the macro of turned walls counts Q from the contact.
+            // Beside a feature the macro for rotated walls counts Q from the contact.
             let from_contact = turned && side.clearance.is_some();
             letters.push((
                 'Q',
@@ -585,7 +585,7 @@ impl<'a> Program<'a> {
         }
         letters.push(('Q', self.q()?));
         self.measures(if corner.outside { 9816 } else { 9815 }, letters);
-        // Errors of the walls: of the one across X at 8, of the one across Y at 9.
+        // Deviations of the walls: output 8 for the one across X, 9 for the one across Y.
         let turn = if a == 0 { 8 } else { 9 };
         self.stores(&[("corner.x", 0), ("corner.y", 1)]);
         if one.len() == 2 {
@@ -632,7 +632,7 @@ impl<'a> Program<'a> {
         Ok(())
     }
 
-    /// Hole or stud, from feature to feature, the other one, and what lies between them.
+    /// Hole or stud, move to the other feature, that feature, and the relation between them.
     fn two_circles(&mut self, circles: &TwoCircles) -> Result<(), Refused> {
         let path = self.request.path;
         let setting = |number: i32| match circles
@@ -750,7 +750,7 @@ impl<'a> Program<'a> {
         Ok(())
     }
 
-    /// The probe is switched on or off: nothing moves.
+    /// Switches the probe on or off without a move.
     fn switch(self) -> Result<Path, Refused> {
         let mut path = self.request.path.clone();
         let number = if self.request.switches_on { 9832 } else { 9833 };
@@ -809,7 +809,7 @@ impl<'a> Program<'a> {
             counted.push(machine.made.len() - before);
         }
         let made = machine.made;
-        // A circle's touches begin with Y, and go on from the middle that was found.
+        // The touches of a circle begin with Y, and continue from the measured middle.
         let own_order = match path.feature {
             Feature::Bore(_) => path.touches.len() != 3,
             Feature::TwoCircles(_) => true,
@@ -835,7 +835,7 @@ impl<'a> Program<'a> {
         {
             path.formula = round_formula(&path, radius, bore.diameter.value);
         }
-        // The macros fit nothing, and of two circles they say what is asked for.
+        // The macros fit nothing, and for two circles they give the wanted results.
         let two = matches!(path.feature, Feature::TwoCircles(_));
         let said = |code: &str| {
             stored.iter().any(|(known, _)| *known == code) || code.starts_with("preset")
@@ -866,12 +866,12 @@ impl<'a> Program<'a> {
     }
 }
 
-/// The axis of the plane that a direction is parallel to; `None` if it is turned.
+/// Axis of the plane that a direction is parallel to; `None` if it is rotated.
 fn axis_of(vector: Vec3) -> Option<usize> {
     (0..2).find(|axis| made::is_along(vector, *axis))
 }
 
-/// What the macros ask of two circles.
+/// Requirements of the macros for two circles.
 fn four_points(request: &OwnRequest<'_>) -> Refused {
     let message = text!(
         "The macros touch each circle at four points a quarter turn apart, at one height{advice}",
@@ -890,7 +890,7 @@ fn words_of(alarm: Alarm) -> Text {
     }
 }
 
-/// The middle of each pair of touches, and the diameter from the second: Y minus, Y plus, X minus, X plus.
+/// Middle of each pair of touches, and the diameter from the second pair: Y minus, Y plus, X minus, X plus.
 fn round_formula(path: &Path, radius: f64, diameter: f64) -> Formula {
     let (origin, f) = (path.frame.origin, Draft::with_room_for(4));
     let inside = path

@@ -1,8 +1,8 @@
-//! The moves of the control's measuring cycles, by the places of their arguments.
+//! Moves of the control's measuring cycles, by the positions of their arguments.
 //!
-//! Read [S]: a groove, a web and a rectangle are touched twice an axis, the positive direction first, the second axis from the centre that was found (manual 03/2009);
-//! over a web out at the height of the start, down, a touch inwards, up (a generator's picture). Ours [I]: a hole and a shaft likewise, each touch from the
-//! measuring path in front of its contact to as far behind it, and back.
+//! Read [S]: a groove, a web and a rectangle are touched twice for each axis, the positive direction first, the second axis from the measured centre (manual
+//! 03/2009); over a web out at the height of the start, down, a touch inwards, up (a generator's picture). Ours [I]: a hole and a shaft likewise, each touch
+//! from the measuring path before its contact to the same distance past it, and back.
 
 use crate::control::native::rows::{Probed, Shape};
 use crate::control::native::siemens::ROWS;
@@ -10,7 +10,7 @@ use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
-/// Runs a cycle by the places of its arguments, lengths in mm and angles in degrees: `None` if the cycle or one of its arguments is not known here.
+/// Runs a cycle by the positions of its arguments, lengths in mm and angles in degrees. `None` if the cycle or one of its arguments is unknown.
 pub fn run(
     number: u16,
     arguments: &[(u16, f64)],
@@ -28,13 +28,13 @@ pub fn run(
     }
 }
 
-/// What a call probes. `at` is the position of the ball at the call: at the height of the touches, or above them if the cycle goes down.
+/// The feature of a call. `at` is the ball centre at the call: at the height of the touches, or above them if the cycle goes down.
 pub fn called(number: u16, at: Vec3, get: impl Fn(u16) -> Option<f64>) -> Option<Probed> {
     let mut rows = ROWS.iter().filter(|row| row.number == number);
     rows.find_map(|row| row.probed(at, &get))
 }
 
-/// A hole, shaft, groove, web or rectangle. `path` is how far a touch begins in front of its contact, and searches behind it.
+/// A hole, shaft, groove, web or rectangle. `path` is the distance of the start of a touch before its contact, and of its search past it.
 fn feature(
     of: &Probed,
     (path, down): (f64, Option<f64>),

@@ -1,17 +1,15 @@
-//! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977 and CYCLE978.
+//! SINUMERIK 840D sl and compatible controls: plain moves with MEAS, or native cycles CYCLE977 and CYCLE978.
 //!
-//! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
-//! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
-//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. MEAS waits for
-//! the rising edge of the signal, and what it does with a probe that is deflected already is proven by nothing we have. So after a
-//! move that was not watched the program asks before the next MEAS block whether the probe is free. Results are in
-//! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
-//! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
-//! agree. MEAS takes the positions of the axes that its block names (a converter's specification that cites the programming manual 03/2006,
-//! 5.7), so a touch names all three.
+//! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by a check that nothing was touched. A contact jumps to one exit that names the move,
+//! lifts (except where the contact was on the way up) and stops. Only the retract from a touch runs without MEAS: the probe is deflected when it starts, and
+//! the ball moves back on its own path. MEAS waits for the rising edge of the signal; no source shows its behaviour with a probe that is already deflected. So
+//! after an unwatched move the program checks before the next MEAS block whether the probe is free. Results are in the first R parameters; intermediate values
+//! follow. `G70` and `G71` do not affect feeds and system variables, which stay in the control's basic system (function manual G2, 7.3), so the program first
+//! checks that the two agree. MEAS records the positions of the axes that its block names (a converter's specification that cites the programming manual
+//! 03/2006, 5.7), so a touch names all three.
 //!
-//! Recalled and not verified on a control: that MEAS ends a move at the contact, the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
-//! system, `$AA_IW` as the place in it, the values of `$MN_SCALING_SYSTEM_IS_METRIC`, R0 to R99 by default (MD28050), that `TRANS` switches
+//! Recalled and not verified on a control [R]: that MEAS ends a move at the contact, the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the
+//! workpiece system, `$AA_IW` as the position in it, the values of `$MN_SCALING_SYSTEM_IS_METRIC`, R0 to R99 by default (MD28050), that `TRANS` switches
 //! programmable frames off, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, that `$P_TOOL` is the active D number, `DIAMOF`, and
 //! `SETAL(65000)`.
 
@@ -78,8 +76,8 @@ const DIALECT: Dialect = Dialect {
 /// R parameters beyond this number are not on every control. Recalled: MD28050 has 100 of them, R0 to R99, by default.
 const LAST_REGISTER: usize = 99;
 
-/// The registers of a program that writes, beyond those of its results, counted from the last of them: how many touches were made; the turn of the
-/// frame before and after; abscissa and ordinate as measured and as nominal; and by how much each part of the frame changes.
+/// Registers of a program that writes, after those of its results, counted from the last of them: number of touches made; rotation of the frame before and
+/// after; abscissa and ordinate, measured and nominal; and the change of each part of the frame.
 const TOUCHES: usize = 1;
 const TURNS: [usize; 2] = [2, 3];
 const MEASURED: [usize; 2] = [4, 5];
@@ -123,7 +121,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.info("limit-stops", "limits.position", message);
     }
-    // The rapids of a measuring cycle are its own.
+    // A measuring cycle has its own rapids.
     let own = request.path.own.is_some();
     let rapid = |m: &Move| request.feeds.rate(m.feed).is_none() && !(own && m.feed == Feed::Rapid);
     if request.protected && request.path.moves.iter().any(rapid) {
@@ -157,12 +155,12 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// How many registers the write of the frame needs.
+/// Number of registers for the write of the frame.
 fn frame_registers(request: &Request<'_>) -> usize {
     if request.corrects() { CHANGES[3] } else { 0 }
 }
 
-/// By how much a part of the frame changes: abscissa, ordinate, tool axis, turn.
+/// Changed parts of the frame: abscissa, ordinate, tool axis, rotation.
 fn changes(datum: &Datum) -> [bool; 4] {
     let plane = datum.place[0].is_some() && datum.place[1].is_some();
     [
@@ -173,7 +171,7 @@ fn changes(datum: &Datum) -> [bool; 4] {
     ]
 }
 
-/// The feed of a move: a rapid without a number runs at the stated rate.
+/// Feed of a move: a rapid without a number runs at the stated rate.
 fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
     feed_rate(request, None, step).unwrap_or(STATED_RAPID)
 }
@@ -194,14 +192,14 @@ fn emit(request: &Request<'_>) -> Program {
 struct Sinumerik<'a> {
     request: &'a Request<'a>,
     registers: &'a Registers,
-    /// Whether a move was made that nothing watched since the probe was last known to be free.
+    /// Whether an unwatched move was made since the probe was last known to be free.
     unwatched: bool,
-    /// How many results were asked about.
+    /// Number of checked results.
     asked: usize,
 }
 
 impl Sinumerik<'_> {
-    /// The register that counts the touches, where the program writes.
+    /// Register that counts the touches, if the program writes.
     fn count(&self) -> Option<usize> {
         let writes = self.request.form == Form::Moves && self.request.corrects();
         writes.then_some(self.registers.last + TOUCHES)
@@ -213,7 +211,7 @@ impl Sinumerik<'_> {
         }
     }
 
-    /// Asks before a MEAS block whether the probe is free, where nothing watched the move before it.
+    /// Checks before a MEAS block whether the probe is free, if the move before it was not watched.
     fn ask_probe(&mut self, w: &mut Writer<'_>) {
         if std::mem::take(&mut self.unwatched) {
             w.line("STOPRE");
@@ -289,12 +287,12 @@ impl Moves for Sinumerik<'_> {
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         names_move(w, step.index);
         self.ask_probe(w);
-        // Before the touch: started after it, the program finds one too few.
+        // Counted before the touch: a program that is started after it counts one too few.
         if let Some(register) = self.count().map(format_count) {
             w.parts(&["R", &register, "=R", &register, "+1"]);
         }
         w.makes_move();
-        // MEAS takes the positions of the axes that its block names.
+        // MEAS records the positions of the axes that its block names.
         let input = self.request.probe_input;
         let word = format!("MEAS={input} G1");
         w.straight_in_full(
@@ -402,7 +400,7 @@ impl Moves for Sinumerik<'_> {
             .iter()
             .filter(|result| result.variable.is_some())
             .enumerate();
-        // The results have the first registers, in their order.
+        // Results have the first registers, in order.
         report(
             w,
             self.request,
@@ -423,13 +421,13 @@ impl Moves for Sinumerik<'_> {
     }
 }
 
-/// What a MSG shows of a text, in characters, values included. Recalled: 124.
+/// Longest text that MSG shows, characters, values included. Recalled: 124.
 const LONGEST_MESSAGE: usize = 100;
 
-/// About how many characters a shown value takes.
+/// Approximate length of a shown value, characters.
 const VALUE: usize = 12;
 
-/// Shows every result: on the screen, as much as goes into a message, and waits; or writes it into a file in the control.
+/// Shows every result on the screen, as many as fit into a message, and waits; or writes them to a file in the control.
 fn report<'f>(
     w: &mut Writer<'_>,
     request: &Request<'_>,
@@ -563,13 +561,12 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     }
 }
 
-/// The number of the move that follows, for the messages of the exits.
+/// Stores the number of the next move for the messages of the exits.
 fn names_move(w: &mut Writer<'_>, index: usize) {
     w.parts(&["TP_MOVE=", &format_count(index + 1)]);
 }
 
-/// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
-/// watched.
+/// A positioning move, straight or in short straight pieces, each watched and checked; or unwatched where it need not be.
 fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     if start_unknown(request, place.index, place.step) {
         return approach(w, request, place.step);
@@ -577,14 +574,14 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     if upwards(request, place.from, place.step.to) > 0
         && serve::starts_off_centre(request, place.index)
     {
-        // Out of a bore the way is straight up.
+        // Out of a bore the move is straight up.
         let up = w.goes_along_tool(place.step.to);
         approach_block(w, request, place.step, &up, "TP_BLOCKED");
     }
     w.makes_move();
     each_piece(request, place, |from, to| {
         if request.protected {
-            // On the way up an exit that lifts would push on against what was met.
+            // On the way up an exit that lifts would push against the contact.
             let exit = if upwards(request, from, to) > 0 {
                 "TP_BLOCKED"
             } else {
@@ -604,7 +601,7 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     });
 }
 
-/// One block of the way to the first place.
+/// One block of the approach to the first position.
 fn approach_block(
     w: &mut Writer<'_>,
     request: &Request<'_>,
@@ -631,7 +628,7 @@ fn approach_block(
     }
 }
 
-/// Straight up to the height of a place, where the stylus is `below` another one; as the first move goes.
+/// Straight up to the height of a position if the stylus is `below` another one; with the word of the first move.
 fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first: &Move) {
     let height = w.height_word(below);
     let (axis, level) = height.split_at(1);
@@ -641,7 +638,7 @@ fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first
     w.line("TP_ABOVE:");
 }
 
-/// Approach to the first position from any position of the stylus: up to its height if the stylus is lower, in the plane, then down.
+/// Approach to the first position from any position: up to its height if the stylus is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     rise(w, request, [step.to; 2], step);
     let across = w.goes_in_plane(step.to);
@@ -651,7 +648,7 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     approach_block(w, request, step, &down, "TP_CONTACT");
 }
 
-/// The check after a move in which nothing may be touched, and where a contact jumps to.
+/// Check after a move without contact, and the jump target for a contact.
 fn must_be_free(w: &mut Writer<'_>, request: &Request<'_>, exit: &str) {
     w.line("STOPRE");
     w.parts(&[
@@ -662,9 +659,8 @@ fn must_be_free(w: &mut Writer<'_>, request: &Request<'_>, exit: &str) {
     ]);
 }
 
-/// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
-/// of the frame (about the tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is
-/// T + R(a)·measured − R(b)·nominal.
+/// The write at the end: shift and rotation of the frame, so that the measured point gets its nominal position. With the rotation a of the frame (about the
+/// tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is T + R(a)·measured − R(b)·nominal.
 fn write_datum(
     w: &mut Writer<'_>,
     request: &Request<'_>,
@@ -710,7 +706,7 @@ fn write_datum(
     if let Some(turn) = datum.rotation {
         w.line(&format!("R{turns}={}", name(turn)));
     }
-    // A program that is started in its middle finds no count and no changes, and writes nothing.
+    // A program that is started in its middle has no count and no changes, and writes nothing.
     let touches = register(TOUCHES);
     w.line(&format!(
         "IF R{touches}<>{} GOTOF TP_INCOMPLETE",
@@ -743,7 +739,7 @@ fn stop(w: &mut Writer<'_>) {
     }
 }
 
-/// The exits of watched moves and of touches.
+/// Exits of watched moves and of touches.
 fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     let tool = request.plane.axes()[2];
     // A native cycle may have written before the last lift.
@@ -751,7 +747,7 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
         (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
         _ => "Nothing is written",
     };
-    // Where something jumps to an exit that lifts: a watched move, or a touch.
+    // Reasons for a jump to an exit that lifts: a watched move, or a touch.
     let touches = request.form == Form::Moves;
     if let Some(first) = request
         .path
@@ -765,7 +761,7 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
                 format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")")
             }
         };
-        // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
+        // As high as the path; from above that, and from a contact on the way up, nothing moves any more.
         let (axis, height) = (AXIS_NAMES[tool], w.number(request.highest()[tool]));
         if request.protected {
             w.line("TP_BLOCKED:");
@@ -839,7 +835,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     stop(w);
 }
 
-/// Writes expressions over these registers.
+/// Prints expressions over these registers.
 #[derive(Debug)]
 struct RParameters<'a> {
     registers: &'a Registers,

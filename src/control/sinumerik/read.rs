@@ -1,4 +1,4 @@
-//! Reads SINUMERIK programs: the blocks that the writer uses, and their like.
+//! Reads SINUMERIK programs: the blocks of the writer and similar ones.
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment, trimmed};
@@ -26,7 +26,7 @@ fn axis_of(name: &str) -> Option<usize> {
 }
 
 fn system(name: &[u8]) -> Option<System> {
-    // Results of the measuring cycles: what they are is the cycles' own.
+    // Results of the measuring cycles, whose meaning the cycles define.
     if name.starts_with(b"_OVR[") {
         return Some(System::Fixed(0.0));
     }
@@ -64,7 +64,7 @@ fn system(name: &[u8]) -> Option<System> {
     })
 }
 
-/// A part of a frame that does nothing.
+/// A part of a frame without effect.
 fn none_of(part: &str) -> Option<System> {
     match part {
         "TR" | "RT" | "MI" => Some(System::Fixed(0.0)),
@@ -81,15 +81,15 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// State of reading a program: for each variable, whether the program declares it.
+/// State of reading a program: whether the program declares each variable.
 #[derive(Default)]
 struct Program {
     declared: Vec<bool>,
-    /// The first line about the second probe input.
+    /// First line about the second probe input.
     second_input: Option<usize>,
 }
 
-/// What a line says of a probe input, the number left out.
+/// Text about a probe input, without the number.
 const INPUTS: [&str; 3] = ["MEAS=", "$AC_MEA[", "$A_PROBE["];
 
 /// Whether a text names a probe input.
@@ -115,7 +115,7 @@ impl<'t> Blocks<'t> for Program {
         }
         let code = lex::without_number(code);
         if (code.starts_with("MEAS") || code.contains("$A")) && names_input(code, '2') {
-            // A line that is remembered is not seen again.
+            // A cached line is not seen again.
             targets.depends = true;
             self.second_input.get_or_insert(line);
         }
@@ -126,7 +126,7 @@ impl<'t> Blocks<'t> for Program {
         block(script, line, code, targets, &mut self.declared)
     }
 
-    /// A variable that the program has declared is its own.
+    /// A variable that the program has declared belongs to it.
     fn later(&mut self, script: &mut Script<'t>, _: &mut Targets<'t>, _: Later<'t>) -> Parsed<()> {
         if let Some(Block { kind, .. }) = script.blocks.last_mut()
             && let BlockKind::SetOther(slot, value) = *kind
@@ -172,13 +172,13 @@ fn results<'t>(script: &mut Script<'t>, list: &'t str) {
     }
 }
 
-/// `R1` and its like.
+/// Whether a name is an R parameter, such as `R1`.
 fn is_register(name: &[u8]) -> bool {
     name.strip_prefix(b"R")
         .is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit))
 }
 
-/// `declared` says of each variable whether it is the program's own.
+/// `declared` tells for each variable whether it belongs to the program.
 fn block<'t>(
     script: &mut Script<'t>,
     line: usize,
@@ -294,7 +294,7 @@ fn assignment<'t>(
     }
     let value = cursor.value(&GRAMMAR, script)?;
     match system(name) {
-        // One letter is an axis, or a word with its value; any other name is what the control knows under it.
+        // One letter is an axis, or a word with its value; any other name is a system variable.
         None if name.len() == 1 => fault(text!("this is not understood")),
         None => {
             let slot = script.slot(name);
@@ -317,7 +317,7 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
             message(&mut cursor, script)?;
             BlockKind::Nothing
         }
-        // Into a file of the control: what went wrong with it, the file, a text.
+        // Into a file of the control: error variable, file, text.
         "WRITE" => {
             cursor
                 .name()
@@ -332,7 +332,7 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
             message(&mut cursor, script)?;
             BlockKind::Nothing
         }
-        // Alarms of other numbers may stop nothing.
+        // Alarms with other numbers may stop nothing.
         "SETAL" => {
             cursor.expect("65000")?;
             BlockKind::Warned

@@ -1,8 +1,8 @@
-//! Which measuring cycles a feature needs, their arguments, and the path that they make of it.
+//! Plans the measuring cycles for a feature, their arguments, and the path that they make.
 //!
-//! Places and fixed values are those of working generators and their calls [S], and so is the positive infeed: two of them, which copy the control's own
-//! editor, ask for one without a sign. Open, and said in the program: that a rectangle takes both coordinates of the centre, that argument 10 turns a feature
-//! other than a hole, and, in inches, the unit of the measuring path.
+//! Positions and fixed values are those of working generators and their calls [S], and so is the positive infeed: two of them, which copy the control's own
+//! editor, ask for one without a sign. Open, and stated in the program: that a rectangle accepts both coordinates of the centre, that argument 10 rotates a
+//! feature other than a hole, and, in inches, the unit of the measuring path.
 
 use std::ops::Range;
 
@@ -26,13 +26,13 @@ use crate::text::text;
 
 use Quantity::{Angle, Length, Plain};
 
-/// The shortest measuring path that a cycle is called with, mm.
+/// Shortest measuring path of a call, mm.
 const SHORTEST_PATH: f64 = 0.1;
 
-/// The codes of a centre.
+/// Codes of a centre.
 const CENTER: [&str; 2] = ["center.x", "center.y"];
 
-/// How nearly directions and places must agree.
+/// Tolerance for equal directions and positions.
 const NEAR: f64 = 1e-6;
 
 pub static CYCLES: OwnCycles = OwnCycles {
@@ -53,7 +53,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
     },
 };
 
-/// The path that the cycles make of a job's feature, with the calls.
+/// Path of the measuring cycles for a job's feature, with the calls.
 fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let path = request.path;
     if path.picked {
@@ -111,7 +111,7 @@ fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(
     }
 }
 
-/// A program while it is put together.
+/// A program under construction.
 struct Plan<'a> {
     request: &'a OwnRequest<'a>,
     radius: f64,
@@ -124,7 +124,7 @@ struct Plan<'a> {
 }
 
 impl Plan<'_> {
-    /// A watched move of the program: behind a cycle in any case, which ends where it found the feature.
+    /// A watched move of the program: after a cycle in any case, which ends at the feature that it found.
     fn goes(&mut self, to: Vec3, feed: Feed) {
         if to.distance(self.at) > NEAR
             || matches!(
@@ -146,7 +146,7 @@ impl Plan<'_> {
         made::start(self.request.path).unwrap_or(self.first)
     }
 
-    /// Down to where the cycle starts.
+    /// Down to the start of the cycle.
     fn down(&mut self, place: Vec3) {
         self.goes(self.start(), Feed::Approach);
         self.goes(place, Feed::LongLink);
@@ -157,8 +157,8 @@ impl Plan<'_> {
         self.goes(self.at.with_z(first.z), Feed::Return);
     }
 
-    /// The measuring path for a clearance from the wall to the ball's centre. Where the job touches from the middle it is the overtravel, but no more than
-    /// the way to the contact: what the control does without that room has no source.
+    /// Measuring path for a clearance from the wall to the ball centre. If the job touches from the middle it is the overtravel, but no more than the distance
+    /// to the contact: no source shows the behaviour of the control without that room.
     fn path(&self, clearance: Option<Entry>, width: Entry) -> Result<f64, Refused> {
         let room = Entry {
             field: width.field,
@@ -183,7 +183,7 @@ impl Plan<'_> {
         Ok(path)
     }
 
-    /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
+    /// Calls the cycle for a feature. `codes` are those of its results: centre and sizes.
     fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
         let Some(row) = fitting(&ROWS, probed) else {
             return;
@@ -197,7 +197,7 @@ impl Plan<'_> {
         };
         self.blocks
             .push(OwnBlock::Cycle(row.number, row.call(probed, &asked)));
-        // Along the axis that is measured a centre is found where that of the plane is.
+        // A centre along the measured axis is stored like that in the plane.
         let entry = |found: Found| {
             let later = if found.is == Is::Along {
                 probed.axis
@@ -210,7 +210,7 @@ impl Plan<'_> {
         self.stores(&found.into_iter().map(entry).collect::<Vec<_>>());
     }
 
-    /// A feature about the frame's origin, turned by so many degrees; `down` is the way to its touches.
+    /// A feature about the origin of the frame, rotated by these degrees; `down` is the distance to its touches.
     fn probed(&self, shape: Shape, inside: bool, path: f64, down: Option<f64>) -> Probed {
         let request = self.request;
         Probed {
@@ -237,7 +237,7 @@ impl Plan<'_> {
         self.stops_for(&places);
     }
 
-    /// The call stops where one of these is off by more than its safe range [R].
+    /// The call stops if one of these results exceeds its safe range [R].
     fn stops_for(&mut self, codes: &[&'static str]) {
         let safe = self.blocks.iter().rev().find_map(|block| match block {
             OwnBlock::Cycle(977, arguments) => arguments.iter().find(|(place, _)| *place == 9),
@@ -252,7 +252,7 @@ impl Plan<'_> {
         }));
     }
 
-    /// Keeps what the last call gave, before the next one writes there.
+    /// Saves the results of the last call before the next one overwrites them.
     fn keeps(&mut self) {
         for (_, stored) in &mut self.stored {
             if let Stored::Output(entry) = *stored {
@@ -344,7 +344,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// Whether the ball leaves room for a zone where it goes down between walls.
+    /// Checks whether the ball leaves room for a zone where it goes down between walls.
     fn check_zones(&self, probed: &Probed, clearances: &[Option<Entry>]) -> Result<(), Refused> {
         if !(probed.inside && probed.lifts) {
             return Ok(());
@@ -390,7 +390,7 @@ impl Plan<'_> {
         };
         let measuring = self.path(clearances.first().copied(), narrowest)?;
         let beside = !clearances.is_empty();
-        // The direction of the first pair, from −90 to 90.
+        // Direction of the first pair, from −90 to 90.
         let mut angle = degrees_of(touches[0].vector);
         if angle <= -90.0 + NEAR || angle > 90.0 + NEAR {
             angle = wrap_degrees(angle + 180.0);
@@ -453,7 +453,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// The path that the program makes on the nominal part.
+    /// Path of the program on the nominal part.
     fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
         let Plan {
             request,
@@ -495,7 +495,7 @@ impl Plan<'_> {
     }
 }
 
-/// The argument of a call at a place.
+/// Argument of a call at a position.
 fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
     let own = request.path.own.as_ref()?;
     own.blocks.iter().find_map(|(block, _)| match block {
@@ -507,7 +507,7 @@ fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
     })
 }
 
-/// What the cycles do otherwise than the job says.
+/// Reports where the cycles differ from the job.
 pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let Some(own) = &request.path.own else { return };
     check_write(request, checker);
@@ -535,7 +535,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// What the header says of it.
+/// Notes about the cycles for the header.
 pub fn notes(request: &Request<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     let Some(own) = &request.path.own else {
@@ -578,9 +578,9 @@ pub fn notes(request: &Request<'_>) -> Vec<String> {
     notes
 }
 
-/// The calls, each with the moves that it makes.
+/// The calls, each with its moves.
 fn calls<'a>(request: &Request<'a>) -> Vec<(&'a OwnBlock, Range<usize>)> {
-    // The first move comes to where they count from.
+    // The first move ends where the cycles count from.
     let mut at = 1;
     let blocks = request
         .path
@@ -596,19 +596,19 @@ fn calls<'a>(request: &Request<'a>) -> Vec<(&'a OwnBlock, Range<usize>)> {
         .collect()
 }
 
-/// The moves that each cycle makes, in the order of the calls.
+/// Moves of each cycle, in the order of the calls.
 pub fn ranges(request: &Request<'_>) -> Vec<Range<usize>> {
     calls(request).into_iter().map(|(_, moves)| moves).collect()
 }
 
-/// Whether a move starts where a cycle ends that corrects nothing: in the middle that it found, and not in the nominal one.
+/// Whether a move starts at the end of a cycle that corrects nothing: in the measured middle, not in the nominal one.
 pub fn starts_off_centre(request: &Request<'_>, index: usize) -> bool {
     calls(request)
         .iter()
         .any(|(block, moves)| moves.end == index && !block.writes())
 }
 
-/// Writes the call that makes these moves, and what keeps the results of the one before it.
+/// Writes the call that makes these moves, and the blocks that save the results of the previous one.
 pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
     let Some(own) = &request.path.own else { return };
     let calls = own

@@ -4,24 +4,24 @@ use super::{Flow, Machine, Run, State};
 use crate::control::iso::script::{BlockKind, Motion, Script, Trouble};
 use crate::control::trace::{Ending, Place};
 
-/// The most blocks that are followed after a probing move that went the other way: an exit is short.
+/// Largest number of blocks followed after the unexpected outcome of a probing move: an exit is short.
 const LONGEST_EXIT: usize = 200;
 
-/// The most motions of an exit.
+/// Largest number of motions in an exit.
 const MOST_LIFTS: usize = 3;
 
-/// The probe while it is followed what a program leads to.
+/// State of the probe while a consequence is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Probe {
-    /// It does what the last probing move says.
+    /// It answers as at the last probing move.
     Free,
     /// It is deflected from the start.
     Deflected,
-    /// It is still deflected from a motion that was not watched: what moves now belongs to the exit.
+    /// It is still deflected from an unwatched motion: the next motion belongs to the exit.
     StillDeflected,
 }
 
-/// What a program comes to whose probe is deflected from the start: followed to its first probing move and on from there.
+/// Consequence for a program that starts with a deflected probe: followed to its first probing move and from there on.
 pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     let mut machine = Machine::new(
         script,
@@ -37,12 +37,12 @@ pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     )
 }
 
-/// An exit computes less than so many values. What the results of someone else's program should be is not known: an alarm after them does not belong to the
+/// An exit computes fewer values than this. The expected results of a foreign program are unknown: an alarm after their computation does not belong to the
 /// move.
 const COMPUTES: usize = 2;
 
 impl Machine<'_, '_> {
-    /// What a probing move leads to that meets this, without making it.
+    /// Consequence of a probing move with this outcome, without making the move.
     pub(super) fn other_way(
         &mut self,
         to: Place,
@@ -58,7 +58,7 @@ impl Machine<'_, '_> {
         ending
     }
 
-    /// What the program leads to from the last motion on, which nothing watched, if the probe is still deflected there.
+    /// Consequence from the last motion on, which was not watched, if the probe is still deflected.
     pub(super) fn still_deflected(&mut self) -> Result<Ending, Trouble> {
         let written = self.unwatched.1.written;
         let redo = self.slots.undo(written);
@@ -95,14 +95,14 @@ impl Machine<'_, '_> {
                 computed += usize::from(self.script.number(value).is_none());
             }
             let flow = match self.step() {
-                // What is refused may go on: it is no stop of the control.
+                // A refused block may continue: the control does not stop.
                 Err(_) if self.refused.take() => return Ok(Ending::GoesOn),
                 flow => flow?,
             };
             match flow {
                 Flow::Next | Flow::Output(..) => {}
                 Flow::Wrote(..) => writes = true,
-                // The program ends before another move is made.
+                // The program ends before another move.
                 Flow::End if self.in_contact() && moves == 0 => return Ok(Ending::ControlStops),
                 Flow::Native | Flow::End => return Ok(Ending::GoesOn),
                 Flow::Alarm if !self.run.strict && computed >= COMPUTES => {
@@ -136,7 +136,7 @@ impl Machine<'_, '_> {
                         Motion::MustTouch | Motion::MayTouch if self.in_contact() && moves == 0 => {
                             return Ok(Ending::ControlStops);
                         }
-                        // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
+                        // A deflected probe ends every probing move at its start, or is not noticed: then the move is made.
                         Motion::MayTouch
                             if deflected && probes < MOST_LIFTS && !self.script.sees_edges =>
                         {
@@ -151,7 +151,7 @@ impl Machine<'_, '_> {
                             let across =
                                 (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
                             let rises = step.to[up] > from[up];
-                            // From the start up to the first probing move the program does as it does with a free probe.
+                            // From the start to the first probing move the program behaves as with a free probe.
                             if probe != Probe::Deflected || probes > 0 {
                                 lifts |= rises && !across;
                                 strays |= across

@@ -1,4 +1,4 @@
-//! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
+//! Runs a program as a control would: motions, jumps, arithmetic, and both outcomes of every probing move.
 
 mod exits;
 mod slots;
@@ -18,59 +18,59 @@ use crate::control::trace::{Ending, Kind, Place, Step, Trace};
 use crate::geom::Plane;
 use crate::text::{Text, text};
 
-/// How much is done for one program: blocks, the numbers and signs of their formulas, and copies of its variables at its motions. A second or so.
+/// Step budget of one program: blocks, the numbers and operators of their formulas, and copies of its variables at its motions. About a second.
 pub const BUDGET: usize = 20_000_000;
 
-/// What a motion counts for: it is kept.
+/// Steps for one stored motion.
 const MOTION: usize = 20;
 
-/// What a write to a variable counts for: at most 40 MB are kept of them.
+/// Steps for a write to a variable: at most 40 MB of them are stored.
 const WRITE: usize = 8;
 
-/// So many motions in other modes than the first one are kept.
+/// Largest number of stored motions in other modes than the first one.
 const MOST_CHANGES: usize = 20;
 
-/// What happens in a probing move.
+/// Outcome of a probing move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Met {
-    /// Something: where the axes stop, and what the control reads as the trigger.
+    /// A contact: the stop position of the axes, and the trigger that the control reads.
     Something(Place, Place),
     /// No contact.
     Nothing,
-    /// Not known: what the program does not take for a fault.
+    /// Unknown: the outcome that the program does not treat as a fault.
     Unknown,
 }
 
-/// What a probing move meets in the world of a run.
+/// Answers the probing moves of a run.
 pub type World<'w> = dyn FnMut(&Step) -> Met + 'w;
 
-/// How a run begins, and how far it goes.
+/// Start and end conditions of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
     pub start: Place,
     /// Whether the probe is deflected from the start.
     pub deflected: bool,
-    /// The run ends when the ball has come as near as this to a place.
+    /// Ends the run when the ball is this close to a position.
     pub until: Option<(Place, f64)>,
-    /// Whether the program may stop with an alarm before anything moves: that ends the run, too.
+    /// Whether the program may stop with an alarm before anything moves, which ends the run.
     pub may_stop: bool,
-    /// Whether the place of the ball is known to the program, as if its blocks had named it.
+    /// Whether the program knows the position of the ball, as if its blocks had named it.
     pub known: bool,
-    /// No exit lifts higher than this, along the tool axis, in units of the program.
+    /// Highest lift of an exit along the tool axis, in units of the program.
     pub highest: f64,
-    /// Whether it is held against what the program leaves to chance: variables without a value in a condition, values that are read before
-    /// the ball is there.
+    /// Whether the run is refused where the program depends on chance: variables without a value in a condition, values that are read before the ball has
+    /// arrived.
     pub strict: bool,
 }
 
 #[derive(Clone, Debug, Default)]
 struct State {
     pc: usize,
-    /// How far the writes to variables had come.
+    /// Position in the log of variable writes.
     written: Mark,
     stack: Vec<Called>,
     at: Place,
-    /// Which axes a block has named.
+    /// Axes that a block has named.
     stated: [bool; 3],
     trigger: Place,
     contact: bool,
@@ -80,12 +80,12 @@ struct State {
     origins: Vec<(Part, f64)>,
     reading: Option<[Option<f64>; 3]>,
     warned: bool,
-    /// Whether a motion may not be done yet where the next block is evaluated.
+    /// Whether a motion may still be running when the next block is evaluated.
     ahead: bool,
 }
 
 impl State {
-    /// Becomes another one. What it has room for is used again: this is done at every probing move.
+    /// Copies another state. Allocated memory is reused: this runs at every probing move.
     fn become_like(&mut self, other: &State) {
         let Self {
             pc,
@@ -118,40 +118,40 @@ impl State {
     }
 }
 
-/// A subroutine that is not done.
+/// An active subroutine.
 #[derive(Clone, Debug)]
 struct Called {
-    /// The block that the run continues with after it.
+    /// Block at which the run continues afterwards.
     back: usize,
-    /// The line of the outermost call.
+    /// Line of the outermost call.
     line: usize,
-    /// The arguments of the caller.
+    /// Arguments of the caller.
     arguments: Vec<(usize, f64)>,
 }
 
 struct Machine<'s, 't> {
     script: &'s Script<'t>,
-    /// The variables that hold the arguments of a subroutine, where the program names them. Found at the first call: there may be none.
+    /// Variables that hold the arguments of a subroutine, if the program names them. Found at the first call: there may be none.
     arguments: OnceCell<[Option<Slot>; ARGUMENTS.len()]>,
     state: State,
-    /// The values of its variables.
+    /// Values of its variables.
     slots: Slots,
-    /// Whether the program is in millimetres, as the basic system of the control is taken to be: 1 or 0.
+    /// Whether the program is in millimetres, like the assumed basic system of the control: 1 or 0.
     metric: f64,
-    /// Whether the last motion was not watched, and the state after it.
+    /// Whether the last motion was unwatched, and the state after it.
     unwatched: (bool, State),
-    /// The modes at the first motion.
+    /// Modes at the first motion.
     first: Option<Modes>,
-    /// The first block that switches the spindle on.
+    /// First block that switches the spindle on.
     spun: Option<usize>,
     run: Run,
-    /// Whether the block that is carried out is refused because the run is strict: whatever comes of it, the program cannot rely on it.
+    /// Whether the current block is refused because the run is strict: the program cannot rely on its outcome.
     refused: Cell<bool>,
-    /// What the run may still cost, in steps: it ends a program that would run forever.
+    /// Remaining step budget: it ends a program that would run forever.
     left: Cell<usize>,
 }
 
-/// What a block leads to.
+/// Effect of a block.
 enum Flow<'s> {
     Next,
     Moved(&'s Words, Motion),
@@ -182,12 +182,12 @@ impl Fork {
     }
 }
 
-/// Follows a program to its end.
+/// Runs a program to its end.
 pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace, Trouble> {
     run_marked(script, run, world, &[]).map(|(trace, _)| trace)
 }
 
-/// The same, with the position at which the last marked variable has its value and the last motion is made.
+/// Runs a program to its end. Also returns the state at which the last marked variable has its value and the last motion is made.
 pub fn run_marked(
     script: &Script<'_>,
     run: Run,
@@ -199,7 +199,7 @@ pub fn run_marked(
     let mut scratch = State::default();
     let mut tail = Tail::default();
     let mut fork = Fork::default();
-    // The alarm after which the other way was gone.
+    // The alarm after which the other branch was taken.
     let mut implausible: Option<usize> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
         if matches!(block.kind, BlockKind::Words(_)) {
@@ -229,7 +229,7 @@ pub fn run_marked(
             Flow::Native => trace.natives.push(line),
             Flow::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
             Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
-            // The touches here read values of no good part: that the program takes a result for a fault means nothing.
+            // The touches of this run belong to no good part: an alarm for an implausible result means nothing.
             Flow::Alarm if fork.open && (!marks.is_empty() || !run.strict) => {
                 machine.spend(MOTION + script.slots / 8);
                 implausible.get_or_insert(line);
@@ -261,19 +261,19 @@ pub fn run_marked(
     Ok((trace, tail))
 }
 
-/// What a program has done when it stops with an alarm.
+/// State of a program that stops with an alarm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stopped {
-    /// Where the ball is.
+    /// Ball centre.
     pub at: Place,
     pub touches: usize,
-    /// How many motions came after the last of these.
+    /// Number of motions after the last of these lines.
     pub since: usize,
-    /// Whether it has written to a work offset.
+    /// Whether it has written a work offset.
     pub writes: bool,
 }
 
-/// Follows a program to its alarm. `None` if it ends without one, or a block cannot be carried out.
+/// Runs a program to its alarm. `None` if it ends without one, or a block cannot be carried out.
 pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Option<Stopped> {
     let mut machine = Machine::new(script, run);
     let (mut trace, mut scratch) = (Trace::default(), State::default());
@@ -329,7 +329,7 @@ fn trouble(line: usize, message: Text) -> Trouble {
     }
 }
 
-/// Whether two places are as near as this along every axis.
+/// Whether two positions differ by no more than this along every axis.
 pub fn near(a: Place, b: Place, off: f64) -> bool {
     (0..3).all(|axis| (a[axis] - b[axis]).abs() <= off)
 }
@@ -362,7 +362,7 @@ impl<'s, 't> Machine<'s, 't> {
         }
     }
 
-    /// Makes a motion, and keeps what modes it is in.
+    /// Makes a motion and records its modes.
     fn moved(
         &mut self,
         line: usize,
@@ -386,14 +386,14 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(step)
     }
 
-    /// Whether it is where the run is to end.
+    /// Whether the run has reached its end condition.
     fn is_there(&self) -> bool {
         self.run
             .until
             .is_some_and(|(place, off)| near(place, self.state.at, off))
     }
 
-    /// What is known at the end.
+    /// Adds the values that are known at the end.
     fn finish(&mut self, trace: &mut Trace) {
         if trace.steps.is_empty() {
             trace.modes = self.state.modes;
@@ -402,7 +402,7 @@ impl<'s, 't> Machine<'s, 't> {
         trace.written = self.written(trace);
     }
 
-    /// The line of a block: inside a subroutine that of the outermost call.
+    /// Line of a block; in a subroutine the line of the outermost call.
     fn line(&self, own: usize) -> usize {
         self.state.stack.first().map_or(own, |called| called.line)
     }
@@ -415,7 +415,7 @@ impl<'s, 't> Machine<'s, 't> {
         self.left.set(self.left.get().saturating_sub(work));
     }
 
-    /// Carries out a block, but for its motion.
+    /// Carries out a block, without its motion.
     fn step(&mut self) -> Result<Flow<'s>, Trouble> {
         let script = self.script;
         let block = &script.blocks[self.state.pc];
@@ -434,13 +434,13 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(flow)
     }
 
-    /// What a strict run refuses.
+    /// Refusal of a strict run.
     fn refuse(&self, line: usize, message: Text) -> Trouble {
         self.refused.set(true);
         trouble(line, message)
     }
 
-    /// Whether a block does something while a motion before it may not be done.
+    /// Whether a block has an effect while a motion before it may still be running.
     fn acts_early(&self, flow: &Flow<'_>) -> bool {
         let acts = match flow {
             Flow::Alarm => matches!(self.script.ahead, Ahead::Alarms | Ahead::ReadsAndActs),
@@ -450,7 +450,7 @@ impl<'s, 't> Machine<'s, 't> {
         acts && self.state.ahead
     }
 
-    /// Whether a condition is true. What depends on a variable without a value is not known.
+    /// Whether a condition is true. One that depends on a variable without a value is unknown.
     fn holds(&self, condition: NodeId, line: usize) -> Result<bool, Trouble> {
         let value = self.value(condition);
         if value.is_nan() && self.run.strict {
@@ -462,7 +462,7 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(value != 0.0)
     }
 
-    /// What a block does, whether or not it may here.
+    /// Effect of a block, whether or not it is allowed here.
     fn carry_out(&mut self, block: &'s Block) -> Result<Flow<'s>, Trouble> {
         match &block.kind {
             BlockKind::Nothing => {}
@@ -531,14 +531,14 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(Flow::Next)
     }
 
-    /// Gives a variable a value. What it held is kept: a program that would run forever must not fill the memory with that.
+    /// Gives a variable a value. The previous value is logged; the budget bounds the log of a program that would run forever.
     fn write(&mut self, slot: Slot, node: NodeId) {
         self.spend(WRITE);
         let value = self.value(node);
         self.slots.set(slot as usize, value);
     }
 
-    /// Goes into a subroutine with these arguments.
+    /// Enters a subroutine with these arguments.
     fn call(&mut self, line: usize, target: usize, arguments: &[NodeId]) -> Result<(), Trouble> {
         let slots = *self
             .arguments
@@ -571,7 +571,7 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(())
     }
 
-    /// Comes back from a subroutine.
+    /// Returns from a subroutine.
     fn give_back(&mut self, line: usize) -> Result<(), Trouble> {
         let called = self
             .state
@@ -586,7 +586,7 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(())
     }
 
-    /// Sets the origin and the turn of a work offset.
+    /// Sets origin and rotation of a work offset.
     fn set_origin(&mut self, number: i32, axes: &[Option<NodeId>; 3], turn: Option<NodeId>) {
         for (axis, node) in axes.iter().enumerate() {
             if let Some(value) = node.map(|node| self.value(node)) {
@@ -599,7 +599,7 @@ impl<'s, 't> Machine<'s, 't> {
         }
     }
 
-    /// A motion from where the ball is.
+    /// A motion from the current ball centre.
     fn motion(&mut self, line: usize, words: &Words, motion: Motion) -> Result<Step, Trouble> {
         let from = [0, 1, 2].map(|axis| {
             if self.state.stated[axis] {
@@ -663,7 +663,7 @@ impl<'s, 't> Machine<'s, 't> {
         })
     }
 
-    /// Makes a motion. Of a probing one the way that it does not take is followed, too.
+    /// Makes a motion. For a probing one the other outcome is followed as well.
     fn go(
         &mut self,
         step: &mut Step,
@@ -680,7 +680,7 @@ impl<'s, 't> Machine<'s, 't> {
             return Ok(());
         }
         if std::mem::take(&mut self.unwatched.0) {
-            // A block that no control could make stops it with an alarm.
+            // A block that no control could carry out stops it with an alarm.
             step.stuck = Some(self.still_deflected().unwrap_or(Ending::ControlStops));
         }
         let from = self.state.at;
@@ -722,7 +722,7 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(())
     }
 
-    /// Whether the control evaluates later blocks before a motion is done.
+    /// Whether the control evaluates later blocks before a motion has ended.
     fn runs_on(&self, motion: Motion) -> bool {
         match self.script.ahead {
             Ahead::Harmless => false,
@@ -731,14 +731,14 @@ impl<'s, 't> Machine<'s, 't> {
         }
     }
 
-    /// The ball stops where it met something, or at the end.
+    /// The ball stops at its contact, or at the end of the move.
     fn arrive(&mut self, to: Place, met: Option<(Place, Place)>) {
         (self.state.at, self.state.trigger) = met.unwrap_or((to, to));
         self.state.contact = met.is_some();
     }
 }
 
-/// The arguments of a subroutine.
+/// Names of the arguments of a subroutine.
 const ARGUMENTS: [&[u8]; 9] = [
     b"#1", b"#2", b"#3", b"#4", b"#5", b"#6", b"#7", b"#8", b"#9",
 ];

@@ -1,18 +1,18 @@
 //! Variable values with an undo log: rewinding costs one step per write since then.
 
-/// The values of variables, by their slots.
+/// Values of variables, by their slots.
 #[derive(Clone, Debug, Default)]
 pub struct Slots {
     now: Vec<f64>,
-    /// Of each write, the slot and what it held.
+    /// Slot and previous value of each write.
     replaced: Vec<(u32, f64)>,
 }
 
-/// A place in the course of writes.
+/// A position in the log of writes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub struct Mark(usize);
 
-/// Writes that were taken back, to be made again.
+/// Undone writes, to be redone.
 #[derive(Debug)]
 pub struct Redo(Vec<(u32, f64)>);
 
@@ -37,14 +37,14 @@ impl Slots {
         Mark(self.replaced.len())
     }
 
-    /// Takes back all writes since a mark.
+    /// Undoes all writes since a mark.
     pub fn back(&mut self, to: Mark) {
         for (slot, before) in self.replaced.drain(to.0..).rev() {
             self.now[slot as usize] = before;
         }
     }
 
-    /// The same, and gives what makes them again.
+    /// Undoes all writes since a mark, and returns them for [`Self::redo`].
     pub fn undo(&mut self, to: Mark) -> Redo {
         let now = &mut self.now;
         let undone = self.replaced.drain(to.0..).rev();
@@ -55,7 +55,7 @@ impl Slots {
         )
     }
 
-    /// Makes writes again that were taken back: marks among them hold again.
+    /// Redoes undone writes: marks among them are valid again.
     pub fn redo(&mut self, Redo(undone): Redo) {
         undone
             .into_iter()
@@ -63,7 +63,7 @@ impl Slots {
             .for_each(|(slot, value)| self.set(slot as usize, value));
     }
 
-    /// The values at a mark.
+    /// Values at a mark.
     pub fn at(&mut self, mark: Mark) -> Vec<f64> {
         let redo = self.undo(mark);
         let values = self.now.clone();
@@ -71,7 +71,7 @@ impl Slots {
         values
     }
 
-    /// The values as they are.
+    /// Current values.
     pub fn values(&self) -> &[f64] {
         &self.now
     }

@@ -1,29 +1,29 @@
-//! What comes after the motions: the end of a program with other results than were measured, and a program that is started in its middle.
+//! The program after its motions: its end with other results than the measured ones, and a restart in its middle.
 
 use super::slots::{Mark, Slots};
 use super::{Flow, Machine, Run, State};
 use crate::control::iso::script::{BlockKind, Motion, Script, Slot};
 use crate::control::trace::{Place, Trace};
 
-/// A program at the place where its results have their values, and what its variables hold at its end.
+/// State of a program when its results have their values, and its variables at its end.
 #[derive(Clone, Debug, Default)]
 pub struct Tail {
-    /// None of the marked variables has a value before it is begun.
+    /// Whether none of the marked variables had a value before.
     begun: bool,
     state: State,
-    /// What its variables held there; none while the run can still go back there.
+    /// Values of its variables there; `None` while the run can still return there.
     values: Option<Vec<f64>>,
     end: Vec<f64>,
 }
 
-/// What the end of a program comes to.
+/// Outcome of the end of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
     /// Whether it stops with an alarm.
     pub stops: bool,
-    /// Whether it comes to its end.
+    /// Whether it reaches its end.
     pub ends: bool,
-    /// Whether it writes to a work offset.
+    /// Whether it writes a work offset.
     pub writes: bool,
 }
 
@@ -35,14 +35,14 @@ impl Tail {
         self.values = None;
     }
 
-    /// A motion was made: where results come before it, the end of the program is what comes after.
+    /// A motion was made: if results come before it, the tail begins after it.
     pub(super) fn moved(&mut self, state: &State, written: Mark) {
         if self.begun {
             self.keep(state, written);
         }
     }
 
-    /// The run goes back to a place before.
+    /// The run returns to an earlier state.
     pub(super) fn before(&mut self, written: Mark, slots: &mut Slots) {
         if self.begun && self.values.is_none() && written < self.state.written {
             self.values = Some(slots.at(self.state.written));
@@ -56,12 +56,12 @@ impl Tail {
         }
     }
 
-    /// What the variables hold at the end of the program.
+    /// Values of the variables at the end of the program.
     pub fn last_values(&self) -> &[f64] {
         &self.end
     }
 
-    /// What runs the end of the program again; `None` if the program never came to its results.
+    /// Runner for the end of the program; `None` if the program never reached its results.
     pub fn ending<'s, 't>(&'s self, script: &'s Script<'t>, run: Run) -> Option<Endings<'s, 't>> {
         let values = self.values.as_ref().filter(|_| self.begun)?;
         let mut machine = Machine::new(script, run);
@@ -73,14 +73,14 @@ impl Tail {
     }
 }
 
-/// Runs the end of a program again and again.
+/// Runs the end of a program repeatedly.
 pub struct Endings<'s, 't> {
     begin: &'s State,
     machine: Machine<'s, 't>,
 }
 
 impl Endings<'_, '_> {
-    /// The end of the program where variables hold these values.
+    /// Outcome of the end of the program with these values of variables.
     pub fn outcome(&mut self, values: impl Iterator<Item = (Slot, f64)>) -> Outcome {
         let Endings { begin, machine } = self;
         let written = machine.slots.mark();
@@ -121,8 +121,8 @@ impl Machine<'_, '_> {
     }
 }
 
-/// Whether a program that is started at a block, with these values in its variables, changes a work offset though not all of its touches were
-/// made in this run. All restarts share what is `left` to be done. `trace` is that of the whole program; what touches there, in these lines in their order, touches here, too.
+/// Whether a program that is restarted at a block, with these values in its variables, changes a work offset although not all of its touches were made in this
+/// run. All restarts share the step budget `left`. `trace` belongs to the whole program; its touches, in these lines in order, touch here, too.
 pub fn restarted(
     script: &Script<'_>,
     run: Run,
@@ -148,7 +148,7 @@ pub fn restarted(
 }
 
 impl Machine<'_, '_> {
-    /// Goes on to the end, or to a change of a work offset before as many touches as these.
+    /// Continues to the end, or to a change of a work offset before this number of touches.
     fn writes_too_early(&mut self, touch_lines: &[usize]) -> bool {
         let script = self.script;
         let machine = self;
@@ -157,7 +157,7 @@ impl Machine<'_, '_> {
         while let Some(own) = script.blocks.get(machine.state.pc) {
             let line = machine.line(own.line);
             let flow = machine.step();
-            // A variable that nothing has set is an error where the control does not keep them.
+            // A variable that was never set is an error if the control does not keep variables.
             if let BlockKind::Set(slot, _) = own.kind
                 && script.vacant.is_none()
                 && machine.slots.get(slot as usize).is_nan()
@@ -179,7 +179,7 @@ impl Machine<'_, '_> {
                     let met = (touches && motion != Motion::MustBeFree).then_some((middle, middle));
                     machine.arrive(step.to, met);
                 }
-                // The control, or the program itself, stops.
+                // The control or the program stops.
                 Ok(Flow::Alarm | Flow::End | Flow::Native) | Err(_) => return false,
             }
         }

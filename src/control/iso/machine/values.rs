@@ -1,14 +1,14 @@
-//! What the values of a program come to, and what becomes of a work offset.
+//! Values of expressions, and the effect of writes to a work offset.
 
 use super::Machine;
 use crate::control::iso::script::{Ahead, Binary, Node, NodeId, Part, System, Unary};
 use crate::control::trace::{Place, Trace, Written};
 use crate::geom::Plane;
 
-/// The length that the tool has along the tool axis, in units of the program: any number that is not 0.
+/// Assumed length of the tool along the tool axis, in units of the program: any number but 0.
 const TOOL_LENGTH: f64 = 97.25;
 
-/// The work offset as it is before the program writes it: any origin that is not 0, turned where the control can.
+/// Assumed work offset before the program writes it: any origin but 0, rotated if the control can.
 const ORIGIN: Place = [311.5, -207.25, 43.75];
 const TURN: f64 = 25.0;
 
@@ -35,7 +35,7 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// Whether a work offset is another one than before the program, or reads a place otherwise. What is no number stops the control.
+    /// Whether a work offset has changed, or reads a position differently. NaN stops the control.
     pub(super) fn changed(&self) -> bool {
         let moved = |(part, value): &(Part, f64)| {
             (value - before(*part, self.script.straight)).abs() > 1e-9
@@ -47,7 +47,7 @@ impl Machine<'_, '_> {
                 .is_some_and(|reading| reading.iter().flatten().all(|x| x.is_finite()))
     }
 
-    /// What the written work offset comes to, for the place where the ball is.
+    /// Effect of the writes to the work offset, for the current ball centre.
     pub(super) fn written(&self, trace: &Trace) -> Option<Written> {
         let number = trace.writes.first()?.number;
         let plane = self.state.modes.plane.unwrap_or(Plane::G17);
@@ -56,7 +56,7 @@ impl Machine<'_, '_> {
         let before = |part: Part| before(part, self.script.straight);
         let (was, is) = (before(turn), self.part(turn));
         let place = self.state.at;
-        // From the machine into the system as it is now.
+        // From machine coordinates to the current system.
         let turned = |degrees: f64, x: f64, y: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
             (x * cos - y * sin, x * sin + y * cos)
