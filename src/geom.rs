@@ -25,7 +25,7 @@ impl Plane {
         }
     }
 
-    /// The plane of a G word; G17 for any other word.
+    /// The plane with this G word; G17 for any other word.
     pub fn named(word: &str) -> Plane {
         match word {
             "G18" => Plane::G18,
@@ -34,7 +34,7 @@ impl Plane {
         }
     }
 
-    /// The plane's G word.
+    /// G word of the plane.
     pub const fn word(self) -> &'static str {
         match self {
             Plane::G17 => "G17",
@@ -43,7 +43,7 @@ impl Plane {
         }
     }
 
-    /// The unit vectors of abscissa, ordinate and tool axis in \[X, Y, Z\].
+    /// Unit vectors of abscissa, ordinate and tool axis in \[X, Y, Z\].
     pub fn basis(self) -> [Vec3; 3] {
         self.axes().map(|axis| Vec3::AXES[axis])
     }
@@ -52,10 +52,10 @@ impl Plane {
 /// Names of the linear axes, in the order of a point's components.
 pub const AXIS_NAMES: [&str; 3] = ["X", "Y", "Z"];
 
-/// A feature frame: (u, v, w) = (abscissa, ordinate, tool axis) turned about the tool axis and put at `origin`.
+/// Frame of a feature: (u, v, w) = (abscissa, ordinate, tool axis), rotated about the tool axis and moved to `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Where u = v = w = 0, in the work coordinate system, mm.
+    /// Origin of the frame in the work coordinate system, mm.
     pub origin: Vec3,
     /// First direction in the plane, a unit vector.
     pub u: Vec3,
@@ -66,7 +66,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame of `plane` turned by `rotation` (radians, counter-clockwise seen against the tool axis) at `origin`.
+    /// The frame of `plane` at `origin`, rotated by `rotation` (radians, counter-clockwise seen against the tool axis).
     pub fn new(plane: Plane, origin: Vec3, rotation: f64) -> Self {
         let [a, o, w] = plane.basis();
         let (sin, cos) = rotation.sin_cos();
@@ -89,7 +89,7 @@ impl Frame {
     }
 }
 
-/// A rigid motion: a turn about the tool axis through the work origin, then a shift.
+/// A rigid motion: a rotation about the tool axis through the work origin, then a shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigid {
     frame: Frame,
@@ -97,7 +97,7 @@ pub struct Rigid {
 }
 
 impl Rigid {
-    /// Turned by `rotation` (radians) about the tool axis of `plane` through the work origin, then shifted by `offset`.
+    /// A rotation by `rotation` (radians) about the tool axis of `plane` through the work origin, then a shift by `offset`.
     pub fn new(plane: Plane, offset: Vec3, rotation: f64) -> Self {
         Rigid {
             frame: Frame::new(plane, offset, rotation),
@@ -105,18 +105,18 @@ impl Rigid {
         }
     }
 
-    /// Where a point of the nominal part lies.
+    /// Position of a point of the nominal part after the motion.
     pub fn point(&self, p: Vec3) -> Vec3 {
         self.frame.origin + self.direction(p)
     }
 
-    /// Where a direction of the nominal part points.
+    /// Direction of the nominal part after the motion.
     pub fn direction(&self, d: Vec3) -> Vec3 {
         let [a, o, w] = self.plane.axes();
         self.frame.u * d[a] + self.frame.v * d[o] + self.frame.w * d[w]
     }
 
-    /// The point of the nominal part that lies at `p`.
+    /// Point of the nominal part that moves to `p`.
     pub fn nominal(&self, p: Vec3) -> Vec3 {
         let off = p - self.frame.origin;
         let mut nominal = Vec3::ZERO;

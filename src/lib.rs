@@ -48,7 +48,7 @@ mod tolerance;
 )]
 mod view;
 
-/// The examples of the README, run as tests.
+/// Runs the examples of the README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
@@ -58,7 +58,7 @@ struct Readme;
 #[doc(hidden)]
 pub mod wasm;
 
-// The tests look into the whole crate: they are modules of it.
+// The tests are modules of the crate, so that they can use all of it.
 #[cfg(all(test, not(target_arch = "wasm32")))]
 extern crate self as touchpath;
 #[cfg(all(test, not(target_arch = "wasm32")))]

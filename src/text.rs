@@ -1,4 +1,4 @@
-//! What a person reads, as a template and its values: composed in English here, and in another language where its words are.
+//! Texts for people, as templates with values: composed in English here, and in other languages from lists of words.
 
 use std::fmt;
 
@@ -11,17 +11,17 @@ pub struct Text {
     values: Vec<Part>,
 }
 
-/// What fills a name in braces.
+/// Value of a name in braces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// What is the same in every language: a number with its unit, a code, what a user typed.
+    /// Unchanged in every language: a number with its unit, a code, a user's text.
     Verbatim(String),
-    /// What has words of its own: the label of a field, a phrase.
+    /// Translated: the label of a field, a phrase.
     Text(Text),
 }
 
-/// A [`Text`]: `text!("{label} must be a whole number", field.label)`. The values fill the names in braces in the order in which these first
-/// appear. A `&'static str` is looked up among the words, a `String` and a number are not.
+/// Makes a [`Text`]: `text!("{label} must be a whole number", field.label)`. The values fill the names in braces in the order of their first appearance. A
+/// `&'static str` is looked up among the words, a `String` and a number are not.
 macro_rules! text {
     ($template:literal $(, $value:expr)* $(,)?) => {{
         #[allow(unused_mut)]
@@ -32,7 +32,7 @@ macro_rules! text {
 }
 pub(crate) use text;
 
-/// A `&'static str` that is shown unchanged: words, like a template without names. It marks them for the lists of words.
+/// A `&'static str` that is shown unchanged, like a template without names. Marks it for the lists of words.
 macro_rules! words {
     ($words:literal) => {
         $words
@@ -41,7 +41,7 @@ macro_rules! words {
 pub(crate) use words;
 
 impl Text {
-    /// Words in data: the label of a field, what a rule asks.
+    /// Words in data: the label of a field, the requirement of a rule.
     pub fn words(words: &'static str) -> Self {
         Text {
             template: words,
@@ -49,7 +49,7 @@ impl Text {
         }
     }
 
-    /// Puts a value in place of the next name that has none. A call each, so that a text costs few bytes where it is made.
+    /// Fills the next name without a value. One call each, so that a text costs few bytes where it is made.
     #[inline(never)]
     pub fn fill(&mut self, value: impl Into<Part>) {
         self.values.push(value.into());
@@ -98,13 +98,13 @@ impl Text {
         self.template
     }
 
-    /// What fills those names, in the order in which they first appear.
+    /// Values of the names, in the order of their first appearance.
     pub fn values(&self) -> &[Part] {
         &self.values
     }
 }
 
-/// A template as text before each name, and the name; the last piece has none. Braces around anything but a name are text.
+/// A template as text before each name, and the name; the last piece has no name. Braces around anything else are text.
 fn pieces(template: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
     let mut rest = Some(template);
     std::iter::from_fn(move || {
@@ -125,7 +125,7 @@ fn pieces(template: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
     })
 }
 
-/// The names of a template, each once, in the order in which they first appear.
+/// Names of a template, each once, in the order of their first appearance.
 fn names(template: &str) -> Vec<&str> {
     let mut names = Vec::new();
     for name in pieces(template).filter_map(|(_, name)| name) {
@@ -142,7 +142,7 @@ impl fmt::Display for Text {
     }
 }
 
-/// As a list: the template, then the values of its names, each a string or such a list.
+/// Serialized as a list: the template, then the values of its names, each a string or such a list.
 impl Serialize for Text {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut list = serializer.serialize_seq(Some(1 + self.values.len()))?;

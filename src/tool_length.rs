@@ -1,17 +1,16 @@
 //! SINUMERIK's LENTOAX: which tool length acts on which axis.
 //!
-//! Source: the function manual W1, section 2.11 (its two printed examples are tests here). The formula is derived and
-//! reproduces them: MATRIX = P · Fᵀ · T, see `docs/lentoax.md`. Angles are in degrees; ROT Z with a positive angle is
-//! counter-clockwise seen from +Z; successive frames multiply on the right.
+//! Source: the function manual W1, section 2.11 (its two printed examples are tests here). The formula is derived and reproduces them: MATRIX = P · Fᵀ · T, see
+//! `docs/lentoax.md`. Angles are in degrees; ROT Z with a positive angle is counter-clockwise seen from +Z; successive frames multiply on the right.
 
 use glam::DMat3;
 
 pub use crate::geom::{Plane, Vec3};
 use crate::text::{Text, text, words};
 
-/// How near a matrix element must be to 0 or ±1 to count as that: "parallel".
+/// Tolerance for a matrix element of 0 or ±1 in a parallel matrix.
 const PARALLEL: f64 = 1e-9;
-/// What the arithmetic of a frame may leave of a 0 or a ±1 in a matrix that is not parallel as a whole.
+/// Rounding error of a 0 or ±1 in a matrix that is not parallel as a whole.
 const ROUNDING: f64 = 1e-12;
 
 /// A 3 × 3 matrix, row by row.
@@ -36,53 +35,53 @@ impl Axis {
 /// One step of the active frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
-    /// Turned about an axis by degrees.
+    /// A rotation about an axis.
     Rotation {
-        /// The axis that is turned about, in the frame of the steps before.
+        /// Axis of the rotation, in the frame of the previous steps.
         axis: Axis,
         /// Degrees, right-handed: about Z positive is counter-clockwise seen from +Z.
         angle: f64,
     },
-    /// Mirrored: the axis points the other way.
+    /// A mirror: the axis is reversed.
     Mirror {
-        /// The axis that is reversed, in the frame of the steps before.
+        /// Mirrored axis, in the frame of the previous steps.
         axis: Axis,
     },
 }
 
-/// What LENTOAX depends on: its argument, and the state of the control.
+/// Input of LENTOAX: its argument, and the state of the control.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Query {
     /// The active working plane.
     pub plane: Plane,
-    /// The tool type's number; 400 to 599 are turning and grinding tools.
+    /// Number of the tool type; 400 to 599 are turning and grinding tools.
     pub tool_type: i32,
-    /// The active frame's steps, in order; each acts in the frame of those before it.
+    /// Steps of the active frame in order; each acts in the frame of the previous ones.
     pub frame: Vec<Step>,
-    /// The _COORD string (`WCS`, `B`, …), any case: the system whose axes are asked about.
+    /// The _COORD string (`WCS`, `B`, …) in any case: the system of the axes.
     pub coord: String,
-    /// Whether a tool is active; without one the status is −2.
+    /// Whether a tool is active; otherwise the status is −2.
     pub tool_active: bool,
-    /// SD42900 $SC_MIRROR_TOOL_LENGTH: whether a mirror in the frame reverses the tool lengths, too.
+    /// SD42900 $SC_MIRROR_TOOL_LENGTH: whether a mirror in the frame also reverses the tool lengths.
     pub sd42900: bool,
-    /// SD42940 $SC_TOOL_LENGTH_CONST: 0 is by the active plane, ±17 to ±19 are that plane always.
+    /// SD42940 $SC_TOOL_LENGTH_CONST: 0 uses the active plane, ±17 to ±19 always that plane.
     pub sd42940: i32,
     /// SD42950 $SC_TOOL_LENGTH_TYPE: 0 by tool type, 1 as milling, 2 as turning.
     pub sd42950: i32,
 }
 
-/// What LENTOAX returns.
+/// Result of LENTOAX.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// 0: _AXIND says it all. 1: _MATRIX must be read. −1: the coordinate system is not known. −2: no tool is active.
+    /// 0: _AXIND is complete. 1: read _MATRIX. −1: the coordinate system is unknown. −2: no tool is active.
     pub status: i32,
-    /// For abscissa, ordinate and applicate the number of the length that acts there, negative if it points the other way.
+    /// Number of the length that acts on abscissa, ordinate and applicate, negative if it points in the opposite direction.
     pub axind: [i32; 3],
     /// Rows abscissa, ordinate, applicate; columns L1, L2, L3.
     pub matrix: Rows,
 }
 
-/// Answers a query. Total: every query has an answer.
+/// Answers a query. Every query has an answer.
 pub fn lentoax(query: &Query) -> Answer {
     let nothing = |status| Answer {
         status,
@@ -91,7 +90,7 @@ pub fn lentoax(query: &Query) -> Answer {
     };
     let in_workpiece = match query.coord.to_ascii_uppercase().as_str() {
         "WCS" | "W" => true,
-        // Without a kinematic transformation these do not see the frame.
+        // Without a kinematic transformation these ignore the frame.
         "BCS" | "B" | "MCS" | "M" | "KCS" | "K" | "TCS" | "T" => false,
         _ => return nothing(-1),
     };
@@ -111,8 +110,8 @@ pub fn lentoax(query: &Query) -> Answer {
     read(query.plane.axes().map(|axis| seen.row(axis).to_array()))
 }
 
-/// _AXIND and the status from the matrix. A parallel one is cleared of what it is off; any other only of rounding, since one of
-/// its cosines can be all but 1 where the sine beside it is not yet 0.
+/// _AXIND and the status from the matrix. A parallel matrix is rounded to 0 and ±1; any other one only loses rounding errors, since one of its cosines can be
+/// almost 1 while the sine beside it is not 0 yet.
 fn read(mut matrix: Rows) -> Answer {
     let parallel = matrix
         .iter()
@@ -122,7 +121,7 @@ fn read(mut matrix: Rows) -> Answer {
     for element in matrix.iter_mut().flatten() {
         let whole = element.round();
         if (*element - whole).abs() <= off {
-            // Adding 0 makes −0 a 0.
+            // Adding 0 turns −0 into 0.
             *element = whole + 0.0;
         }
     }
@@ -143,7 +142,7 @@ fn read(mut matrix: Rows) -> Answer {
     }
 }
 
-/// The active frame's rotation and mirror part, BCS = F · WCS, and the sign of each axis by its mirrors alone.
+/// Rotation and mirror part of the active frame, BCS = F · WCS, and the sign of each axis by its mirrors only.
 pub fn frame(steps: &[Step]) -> (DMat3, Vec3) {
     let (mut all, mut mirror) = (DMat3::IDENTITY, Vec3::ONE);
     for step in steps {
@@ -179,7 +178,7 @@ fn rotation(axis: Axis, degrees: f64) -> DMat3 {
     own
 }
 
-/// T: rows X, Y, Z, columns L1, L2, L3; 1 where a length acts.
+/// T: rows X, Y, Z, columns L1, L2, L3; 1 if a length acts.
 fn assignment(query: &Query) -> DMat3 {
     let turning = match query.sd42950 {
         1 => false,
@@ -230,7 +229,7 @@ pub fn meaning(status: i32) -> &'static str {
     }
 }
 
-/// What the answer says in a sentence, axis names being those of the plane: "L1 acts along +Z, …".
+/// The answer in a sentence, with the axis names of the plane: "L1 acts along +Z, …".
 pub fn sentence(plane: Plane, answer: &Answer) -> Text {
     if answer.status < 0 {
         return Text::words(meaning(answer.status));
@@ -258,8 +257,8 @@ pub fn sentence(plane: Plane, answer: &Answer) -> Text {
     text!("{first}, {second}, {third}", first, second, third)
 }
 
-/// NC lines that ask the control itself, and stop where its answer is another than the one of [`lentoax`].
-/// DEF, the call and MSG are as in the manual's notation; the check is ours and not verified on a control.
+/// NC lines that ask the control itself and stop if its answer differs from that of [`lentoax`]. DEF, the call and MSG follow the manual's notation; the
+/// comparison is ours and not verified on a control [I].
 pub fn nc_block(query: &Query) -> String {
     let known = ["MCS", "M", "BCS", "B", "WCS", "W", "KCS", "K", "TCS", "T"];
     let upper = query.coord.to_ascii_uppercase();
@@ -276,7 +275,7 @@ pub fn nc_block(query: &Query) -> String {
     text
 }
 
-/// Conditions of which one holds where a control gives another answer: the status, then what it says to read.
+/// Conditions, one of which holds if a control gives another answer: the status, then the values to read.
 fn differences(answer: &Answer) -> Vec<String> {
     let status = format!("_STAT<>{}", answer.status);
     match answer.status {
@@ -290,7 +289,7 @@ fn differences(answer: &Answer) -> Vec<String> {
             vec![all.join(" OR ")]
         }
         1 => {
-            // To less than a thousandth of a length; seven decimals are what a control shows.
+            // To less than a thousandth of a length; a control shows seven decimals.
             let off = |i: usize, j: usize| {
                 format!(
                     "(ABS(_MATRIX[{i},{j}]-({}))>0.0001)",

@@ -1,12 +1,12 @@
-//! A value as JavaScript hands it over. `www/core/coded.ts` is the other half, which walks whatever a caller has.
+//! Values passed from JavaScript. `www/core/coded.ts` is the counterpart, which encodes any value of a caller.
 //!
-//! Each value is a tag and what belongs to it: see [`Tag`]. The texts follow each other, each ended by a line feed, so that
-//! halves of a character do not join; what belongs to a text is its length in UTF-16 units, since that is how JavaScript counts.
+//! Each value is a tag and its contents: see [`Tag`]. All texts are in one string, each followed by a line feed, so that halves of a character do not join. A
+//! text is given by its length in UTF-16 units, as JavaScript counts.
 
 use crate::form::Value;
 use crate::text::words;
 
-/// The tags, by their numbers.
+/// Tags, by their numbers.
 #[derive(Clone, Copy, Debug)]
 pub enum Tag {
     Null,
@@ -16,15 +16,15 @@ pub enum Tag {
     Number,
     /// Followed by its length in UTF-16 units.
     Text,
-    /// How many values, then those.
+    /// Followed by the number of values and the values.
     List,
-    /// How many entries, then of each the length of its key, and its value.
+    /// Followed by the number of entries and, for each, the length of its key and its value.
     Map,
-    /// What it is, as a place in [`OTHERS`].
+    /// Followed by an index into [`OTHERS`].
     Other,
 }
 
-/// All of them, in their order.
+/// All tags in order.
 pub const TAGS: [Tag; 8] = [
     Tag::Null,
     Tag::False,
@@ -36,7 +36,7 @@ pub const TAGS: [Tag; 8] = [
     Tag::Other,
 ];
 
-/// What has no place in a job: its name in JavaScript's half, and its words.
+/// Values that cannot be in a job: name in the JavaScript part, and description.
 pub const OTHERS: [(&str, &str); 8] = [
     ("UNDEFINED", words!("undefined")),
     ("NO_DATA", words!("something that is not data")),
@@ -51,14 +51,14 @@ pub const OTHERS: [(&str, &str); 8] = [
     ),
 ];
 
-/// The most values a job may hold: it has about a hundred.
+/// Largest number of values in a job, which usually has about a hundred.
 #[cfg(test)]
 pub const MOST_VALUES: usize = 20_000;
 
-/// How deep lists and objects may be in each other.
+/// Deepest nesting of lists and objects.
 pub const DEEPEST: usize = 16;
 
-/// Reads a coded value. What is not coded as `coded.ts` does it is something unreadable.
+/// Reads an encoded value. Anything that `coded.ts` does not produce becomes an unreadable value.
 pub fn decoded(codes: &[f64], text: &str) -> Value {
     Coded {
         codes: codes.iter(),
@@ -76,7 +76,7 @@ struct Coded<'a> {
 }
 
 impl Coded<'_> {
-    /// The depth ends the recursion whatever the codes say.
+    /// The depth bounds the recursion whatever the codes are.
     fn value(&mut self, depth: usize) -> Option<Value> {
         let tag = self.count()?;
         Some(match TAGS.get(tag).filter(|_| depth <= DEEPEST)? {
@@ -119,7 +119,7 @@ impl Coded<'_> {
     }
 }
 
-/// Where so many UTF-16 units end, in bytes.
+/// End of this number of UTF-16 units, in bytes.
 fn end_of(text: &str, mut units: usize) -> usize {
     for (at, c) in text.char_indices() {
         if units == 0 {

@@ -1,4 +1,4 @@
-//! A plan as JavaScript takes it: sections that are read one by one. `www/core/plan.ts` is the other half.
+//! A plan encoded for JavaScript, in sections that are read one by one. `www/core/plan.ts` is the counterpart.
 
 use crate::form::{Finding, Level};
 use crate::job::{
@@ -7,17 +7,17 @@ use crate::job::{
 };
 use crate::text::{Part, Text};
 
-/// Words that go out as their places in these lists.
+/// Words that are passed as indices into these lists.
 pub const FEEDS: [&str; 6] = ["approach", "longLink", "work", "retract", "return", "rapid"];
-/// What a move does, likewise.
+/// Kinds of moves, passed as indices.
 pub const KINDS: [&str; 3] = ["position", "touch", "back"];
-/// The units of results, likewise; empty for a number without one.
+/// Units of results, passed as indices; empty for a number without unit.
 pub const UNITS: [&str; 4] = ["mm", "inch", "deg", ""];
-/// The levels of findings, likewise.
+/// Levels of findings, passed as indices.
 #[cfg(test)]
 pub const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];
 
-/// The sections of a plan, in their order.
+/// Sections of a plan, in order.
 #[derive(Clone, Copy, Debug)]
 pub enum Section {
     Touches,
@@ -36,13 +36,13 @@ impl Section {
     };
 }
 
-/// Output buffer: numbers and one string. A text is its length in UTF-16 units; what is not there is NaN, or −1 for an index.
+/// Output buffer: numbers and one string. A text is passed as its length in UTF-16 units; a missing number is NaN, a missing index −1.
 #[derive(Default)]
 pub struct Packed {
     pub numbers: Vec<f64>,
-    /// All texts, one after the other.
+    /// All texts, concatenated.
     pub text: String,
-    /// How long the text is in UTF-16 units.
+    /// Length of the string in UTF-16 units.
     units: usize,
 }
 
@@ -98,7 +98,7 @@ impl Packed {
         }
     }
 
-    /// How many values it has, its template, then each of them: a text as this one, what is the same in every language after a −1.
+    /// A text: number of values, template, then each value. A text value is encoded likewise, a verbatim value follows a −1.
     fn said(&mut self, text: &Text) {
         self.count(&text.values().len());
         self.text(text.template());
@@ -120,7 +120,7 @@ impl Packed {
         }
     }
 
-    /// A word as its place in a list.
+    /// A word as an index into a list.
     fn word(&mut self, word: &str, words: &[&str]) {
         self.index(&words.iter().position(|known| *known == word));
     }
@@ -146,7 +146,7 @@ impl Packed {
         items.iter().for_each(|item| each(self, item));
     }
 
-    /// A section begins: its places in numbers and text go to the front.
+    /// Begins a section: its positions in numbers and string go to the front.
     fn begin(&mut self, section: Section) {
         let section = section as usize;
         self.numbers[2 * section] = self.numbers.len() as f64;
@@ -154,15 +154,15 @@ impl Packed {
     }
 }
 
-/// What of a row goes out, in its order: each field by a method of [`Packed`], perhaps as a place in a list of words. The functions here and the
-/// list that JavaScript's half is generated from come of the same lines.
+/// Declares the encoding of rows: each field with a method of [`Packed`], optionally with a list of words. The functions here and the list for the JavaScript
+/// part come from the same lines.
 macro_rules! rows {
     ($($name:ident($row:ty) { $($($field:ident).+: $how:ident $(($words:ident))?),* $(,)? })*) => {
         $(fn $name(out: &mut Packed, row: &$row) {
             $(out.$how(&row.$($field).+ $(, &$words)?);)*
         })*
 
-        /// The rows: the function's name, and of each field its name, how it goes out, and the list of its words.
+        /// The rows: name of the function and, for each field, name, encoding and list of words.
         #[cfg(test)]
         pub const ROWS: &[(&str, &[(&str, &str, &str)])] = &[
             $((stringify!($name), &[$((stringify!($($field).+), stringify!($how), concat!($(stringify!($words))?)),)*]),)*
@@ -203,7 +203,7 @@ rows! {
     safety(SafetyRow) { rule: text, holds: flag, said: said, lines: counts, about: counts }
 }
 
-/// A plan, but for its table.
+/// A plan without its table.
 pub fn plan(plan: &Plan) -> Packed {
     let mut out = Packed {
         numbers: vec![0.0; 2 * Section::ALL.len()],
@@ -240,7 +240,7 @@ pub fn plan(plan: &Plan) -> Packed {
     out
 }
 
-/// Column by column: where the moves end, then feed, kind, step, touch and cycle of each, then the arcs, with the move of each.
+/// Moves in columns: ends, feeds, kinds, steps, touches and cycles, then the arcs with the index of their move.
 fn moves(out: &mut Packed, moves: &[Move]) {
     out.count(&moves.len());
     moves.iter().for_each(|step| out.triple(&step.to));
@@ -263,7 +263,7 @@ fn moves(out: &mut Packed, moves: &[Move]) {
     out.number(-1.0);
 }
 
-/// What the rows of a parameter table mean.
+/// Meanings of the rows of a parameter table.
 pub fn meanings(rows: &[ParameterRow]) -> Packed {
     let mut out = Packed::default();
     out.list(rows, |out, row| out.said(&row.meaning));

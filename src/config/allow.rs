@@ -1,4 +1,4 @@
-//! What may be chosen, and what the page does not offer.
+//! Choices that a config allows, and parts that the page hides.
 
 use crate::config::list::{list_of, some_of};
 use crate::control::{Form, POSTS};
@@ -7,7 +7,7 @@ use crate::form::{Checker, Field, Section, Value, form};
 use crate::job::Units;
 use crate::text::text;
 
-/// The panels of the page.
+/// Panels of the page.
 const PANELS: [&str; 6] = ["form", "stage", "program", "table", "results", "checks"];
 
 form! {
@@ -16,14 +16,14 @@ form! {
     }
 }
 
-/// What may be chosen. `None` is no limit.
+/// Allowed choices. `None` is no limit.
 #[derive(Debug)]
 pub struct Allow {
     pub cycles: Option<Vec<String>>,
     pub controls: Option<Vec<String>>,
     pub forms: Option<Vec<String>>,
     pub units: Option<Vec<String>>,
-    /// Numbers from 1; `None` in the list is measuring only.
+    /// Numbers from 1; `None` in the list stands for measuring only.
     pub work_offsets: Option<Vec<Option<f64>>>,
     /// Whether a job may have several cycles.
     pub set_ups: bool,
@@ -100,7 +100,7 @@ impl Allow {
             .is_none_or(|all| all.iter().any(|word| *value == Value::Text(word.clone())))
     }
 
-    /// Reports what a config fills in of a job's control, or gives a machine, and does not allow.
+    /// Reports values for a job's control that a config fills in, or gives a machine, without allowing them.
     pub fn check_choices(&self, checker: &mut Checker, config: &Value) {
         for key in ["post", "form", "workOffset"] {
             let path = format!("control.{key}");
@@ -126,7 +126,7 @@ fn report(checker: &mut Checker, path: String) {
     checker.error("not-allowed", path, text!("allow does not list this value"));
 }
 
-/// Checks what the page does not offer. No job is refused for it.
+/// Checks the hidden parts. No job is refused for them.
 pub fn check_hide(checker: &mut Checker, value: Option<&Value>) {
     Section::new(checker, value, "hide").only(&[], &["cycles", "controls", "panels"]);
     for (key, known) in [

@@ -1,4 +1,4 @@
-//! Fills in what a job leaves out.
+//! Fills in the values that a job leaves out.
 
 use crate::config::allow::Allow;
 use crate::config::{Config, field_at};
@@ -49,7 +49,7 @@ pub fn fill(config: &Config, job: &Value) -> Value {
 fn fill_cycle(config: &Config, cycle: &mut Value, units: Units) {
     let Some(def) = type_of(cycle) else { return };
     if let Some(Value::Map(own)) = values(config, def, units).get("cycle") {
-        // A form inside the form that is not used stays so.
+        // An optional form that is not used stays unused.
         let unused = |key: &str| {
             let optional = def
                 .sections
@@ -67,7 +67,7 @@ fn fill_cycle(config: &Config, cycle: &mut Value, units: Units) {
     }
 }
 
-/// The first of what is allowed, where the default is not.
+/// The first allowed value, if the default is not allowed.
 fn first(allowed: Option<&[String]>, default: &str) -> Option<String> {
     let allowed = allowed?;
     if allowed.iter().any(|word| word == default) {
@@ -77,7 +77,7 @@ fn first(allowed: Option<&[String]>, default: &str) -> Option<String> {
     }
 }
 
-/// Chooses what a job does not say of its control, where the defaults are not allowed.
+/// Chooses the control settings that a job leaves out, if the defaults are not allowed.
 fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDef>) {
     let mut control = job
         .get("control")
@@ -112,7 +112,7 @@ fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDe
     }
 }
 
-/// The forms that are allowed of the programs of a control for a cycle.
+/// Allowed program forms of a control for a cycle.
 fn forms(
     config: &Config,
     def: Option<&'static CycleDef>,
@@ -126,8 +126,8 @@ fn forms(
     Form::ALL.into_iter().filter(allowed).filter(serves)
 }
 
-/// The control of a job that names none: the default, or else the first that is allowed, that takes the cycle in this form, or in any that is allowed.
-/// `None` where the default holds without a word.
+/// Control of a job that names none: the default, or else the first allowed control that supports the cycle in this form, or in any allowed form. `None` if the
+/// default applies.
 fn post_for<'a>(
     config: &'a Config,
     def: Option<&'static CycleDef>,
@@ -155,7 +155,7 @@ fn post_for<'a>(
     all.iter().find(fits).or(all.first()).copied()
 }
 
-/// Whether the native cycle sets the active preset of a job: the job then names no work offset.
+/// Whether the native cycle of a job sets the active preset, so that the job names no work offset.
 pub fn writes_itself(job: &Value) -> bool {
     let def = job.get("cycle").and_then(type_of);
     job.get("control")
@@ -175,7 +175,7 @@ fn text(word: &str) -> Value {
     Value::Text(word.to_owned())
 }
 
-/// What the config fills in of a job with a cycle of this type, as such a job in `units`.
+/// Values that the config fills in for a job with a cycle of this type, as such a job in `units`.
 pub fn values(config: &Config, def: &'static CycleDef, units: Units) -> Value {
     let cycle = Value::Map(vec![("type".to_owned(), text(def.key))]);
     let mut job = Value::Map(vec![
@@ -198,7 +198,7 @@ pub fn values(config: &Config, def: &'static CycleDef, units: Units) -> Value {
     job
 }
 
-/// The type of a cycle, where it is known.
+/// Definition of a cycle, if its type is known.
 pub fn type_of(cycle: &Value) -> Option<&'static CycleDef> {
     match cycle.get("type") {
         Some(Value::Text(key)) => cycle::find(key),
@@ -206,7 +206,7 @@ pub fn type_of(cycle: &Value) -> Option<&'static CycleDef> {
     }
 }
 
-/// Puts a value under a key that is missing; where both are objects, what is missing in the one that is there.
+/// Adds a value under a missing key. If both values are objects, only missing keys are added.
 fn complete(place: &mut Value, key: &str, value: &Value) {
     match (place.get_mut(key), value) {
         (None, _) => place.put(key, value.clone()),
@@ -217,7 +217,7 @@ fn complete(place: &mut Value, key: &str, value: &Value) {
     }
 }
 
-/// Puts a value at a path, and the objects that lead there.
+/// Puts a value at a path, and creates the objects on the way.
 fn put_at(place: &mut Value, path: &str, value: &Value) {
     let Some((key, rest)) = path.split_once('.') else {
         return place.put(path, value.clone());

@@ -1,4 +1,4 @@
-//! What a config refuses of a job.
+//! Refusals of a job by a config.
 
 use crate::config::space::{Entering, Space, beyond, enters, pieces};
 use crate::config::{Config, Rule, at, field_at, fill};
@@ -11,13 +11,13 @@ use crate::num::decimal;
 use crate::text::{Part, Text, text};
 use crate::tolerance;
 
-/// What converted values may differ by, mm or degrees.
+/// Largest difference of converted values that counts as equal, mm or degrees.
 const NEAR: f64 = 2e-5;
 
-/// The same of feeds, mm a minute: 3.937 inch a minute are 100 mm.
+/// The same for feeds, mm/min: 3.937 inch/min are 100 mm/min.
 const NEAR_FEED: f64 = 1e-3;
 
-/// How near values of a field are the same, in the unit of the job.
+/// Largest difference between values of a field that counts as equal, in the unit of the job.
 fn near(field: &Field, scale: f64) -> f64 {
     match field.kind {
         Kind::Feed | Kind::Acceleration => NEAR_FEED / scale,
@@ -69,7 +69,7 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
     checker.findings()
 }
 
-/// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether the sections around the cycle are judged, too.
+/// Judges a job with one cycle. `place` is the path of its cycle; `around`: whether the sections around the cycle are judged, too.
 fn judge_single(
     config: &Config,
     job: &Value,
@@ -152,7 +152,7 @@ fn judge_single(
     }
 }
 
-/// A word that must be one of those that are allowed.
+/// Reports a word that is not among the allowed ones.
 fn judge_word(
     config: &Config,
     job: &Value,
@@ -179,7 +179,7 @@ fn judge_word(
     checker.error("not-allowed", in_place(path), message);
 }
 
-/// Judges what is written. A native cycle that sets the active preset names no work offset: it is allowed if any work offset is.
+/// Judges the written offset. A native cycle that sets the active preset names no work offset: it is allowed if any work offset is.
 fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker: &mut Checker) {
     let Some(allowed) = &config.allow.work_offsets else {
         return;
@@ -228,7 +228,7 @@ fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker
     checker.error("not-allowed", "control.workOffset", message);
 }
 
-/// Why a value is refused; `None` if it may be. `wanted` is the config's value in the job's units.
+/// Reason why a value is refused; `None` if it is allowed. `wanted` is the config's value in the job's units.
 fn refusal(
     config: &Config,
     rule: &Rule,
@@ -246,7 +246,7 @@ fn refusal(
         }
     };
     if let Some(wanted) = wanted.filter(|_| rule.locked) {
-        // A form inside the form that is not used has no value.
+        // An optional form that is not used has no value.
         let same = value.is_none_or(|value| same(value, wanted, near));
         return (!same).then(|| {
             with_reason(text!(
@@ -257,14 +257,14 @@ fn refusal(
             ))
         });
     }
-    // What is not limited, not known or not called is not between two numbers.
+    // A value without limit, an unknown one or an uncalled tool is not between two numbers.
     let number = match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Null) => f64::NAN,
         Some(Value::Text(text)) if tolerance::toleranced(text).is_some() => {
             tolerance::toleranced(text)?
         }
-        // What follows a result is known at the machine alone.
+        // A value that follows a result is known only at the machine.
         Some(Value::Text(text))
             if (rule.least, rule.most) != (None, None)
                 && text.trim_start_matches(' ').starts_with('=') =>
@@ -317,7 +317,7 @@ fn refusal(
     Some(with_reason(message))
 }
 
-/// Whether two values say the same.
+/// Whether two values are equal.
 fn same(one: &Value, other: &Value, near: f64) -> bool {
     match (one, other) {
         (Value::Number(a), Value::Number(b)) => (a - b).abs() <= near,
@@ -328,7 +328,7 @@ fn same(one: &Value, other: &Value, near: f64) -> bool {
     }
 }
 
-/// A value as a message has it.
+/// A value in a message.
 fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
     let number = |x: f64| {
         decimal(
@@ -360,7 +360,7 @@ fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
     }
 }
 
-/// The path against the travel of the machine and its keep-out zones.
+/// Checks the path against the travel of the machine and its keep-out zones.
 fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     let place = |index: usize| match path.member_of_move(index) {

@@ -1,12 +1,12 @@
-//! The lists of a config.
+//! Reads the lists of a config.
 
 use crate::form::{Checker, Value, printable};
 use crate::text::{Part, text};
 
-/// The longest lists: rules of fields, machines, styli, zones, findings.
+/// Longest list: rules of fields, machines, styli, zones, findings.
 pub const MOST: usize = 200;
 
-/// The entries of a list, each with its path; reports what is no list, and what is too long.
+/// Entries of a list, each with its path. Reports a value that is not a list, and a list that is too long.
 pub fn entries<'v>(
     checker: &mut Checker,
     value: Option<&'v Value>,
@@ -80,7 +80,7 @@ pub fn list_of<T>(
     found
 }
 
-/// The same of a list that limits a choice: an empty one would allow nothing.
+/// Reads a list that limits a choice. An empty one would allow nothing.
 pub fn some_of<T>(
     checker: &mut Checker,
     value: Option<&Value>,

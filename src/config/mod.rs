@@ -33,32 +33,32 @@ use crate::form::{Field, Finding, Level, Value};
 use crate::job::{self, JobError, Plan, Planned, Units};
 use crate::text::{Part, Text, words};
 
-/// The rules of a portal. Its own lengths are in its `units`; jobs may be in others.
+/// Rules of a portal. Its lengths are in its own `units`; jobs may be in others.
 #[derive(Debug)]
 pub struct Config {
-    /// Who asks, as findings call it.
+    /// Name of the portal, as in findings.
     title: Option<String>,
     units: Units,
     allow: Allow,
     rules: Vec<Rule>,
     space: Space,
-    /// What the portal itself has to say of the job.
+    /// Findings that the portal itself adds to a job.
     own: Vec<Finding>,
 }
 
-/// What is asked of one field.
+/// Rule for one field.
 #[derive(Debug)]
 struct Rule {
-    /// Its path in a job of one cycle.
+    /// Path of the field in a job with one cycle.
     path: String,
-    /// The value of a job that leaves the field out.
+    /// Value of a job that leaves the field out.
     value: Option<Value>,
-    /// Whether it must have that value.
+    /// Whether the field must have that value.
     locked: bool,
-    /// What it must lie between, in the config's units.
+    /// Lower limit, in the config's units.
     least: Option<f64>,
     most: Option<f64>,
-    /// The reason in the portal's words; may be empty.
+    /// Reason in the portal's words; may be empty.
     reason: String,
 }
 
@@ -67,27 +67,27 @@ impl Config {
     ///
     /// # Errors
     ///
-    /// Everything that is wrong with it; the paths of the findings begin with `config.`.
+    /// All problems of the config; the paths of the findings begin with `config.`.
     pub fn read(value: &Value) -> Result<Config, JobError> {
         read::read(value)
     }
 
-    /// Fills in what the job leaves out: the values of the config's fields, and the first choice that is allowed where the default is not.
+    /// Fills in the values that the job leaves out: those of the config's fields, and the first allowed choice if the default is not allowed.
     pub fn fill(&self, job: &Value) -> Value {
         fill::fill(self, job)
     }
 
-    /// What the config refuses of a job that was filled in, and what the portal says itself. What is wrong with the job is left to the check.
+    /// Refusals of a job that was filled in, and the portal's own findings. Faults of the job itself are left to the check.
     pub fn judge(&self, job: &Value) -> Vec<Finding> {
         self.judge_planned(job, job::planned(job).as_ref())
     }
 
-    /// The same, where the path is known; without one only what the job says is judged.
+    /// Refusals of a job with a known path; without one only the values of the job are judged.
     pub(crate) fn judge_planned(&self, job: &Value, planned: Option<&Planned>) -> Vec<Finding> {
         judge::judge(self, job, planned)
     }
 
-    /// Everything that is wrong, unusual or worth knowing about a job under this config. The job is filled in first.
+    /// All findings of a job under this config. The job is filled in first.
     pub fn check(&self, job: &Value) -> Vec<Finding> {
         let job = self.fill(job);
         let mut findings = job::check(&job);
@@ -99,7 +99,7 @@ impl Config {
     ///
     /// # Errors
     ///
-    /// All findings, where the job has an error or the config refuses it.
+    /// All findings, if the job has an error or the config refuses it.
     pub fn plan(&self, job: &Value) -> Result<Plan, JobError> {
         let job = self.fill(job);
         let judged = self.judge(&job);
@@ -125,7 +125,7 @@ impl Config {
         }
     }
 
-    /// Who asks, at the head of a sentence.
+    /// Name of the portal at the start of a sentence.
     fn who(&self) -> Part {
         match &self.title {
             Some(title) => title.clone().into(),

@@ -129,7 +129,7 @@ fn printable_title(title: &str) -> String {
         .collect()
 }
 
-/// Whether nothing of a text is seen.
+/// Whether a text has no visible character.
 fn is_blank(text: &str) -> bool {
     text.chars().all(|c| c.is_whitespace() || c == '\u{feff}')
 }
@@ -251,7 +251,7 @@ fn check_values(checker: &mut Checker, config: &Config) {
     }
 }
 
-/// What single values of a part of a job are refused for.
+/// Errors of single values in a part of a job.
 fn misread(job: &Value, units: Units) -> Vec<Finding> {
     const OF_VALUES: [&str; 8] = [
         "not-a-value",
@@ -277,7 +277,7 @@ fn misread(job: &Value, units: Units) -> Vec<Finding> {
     found
 }
 
-/// A part of a job, whose values are held against the forms of a job.
+/// Checks a part of a job against the forms of a job.
 fn read_part(checker: &mut Checker, at: &str, part: Vec<(String, Value)>, units: Units) {
     let cycle = Value::Map(vec![("type".to_owned(), Value::Text("hole".to_owned()))]);
     let job = Value::Map(
@@ -304,7 +304,7 @@ fn read_name(checker: &mut Checker, entry: &Value, at: &str) {
     }
 }
 
-/// Machines: what of a job belongs to one.
+/// Reads machines: the parts of a job that belong to one.
 fn read_machines(checker: &mut Checker, value: Option<&Value>, units: Units) {
     for (at, machine) in entries(checker, value, "machines") {
         let sections = SECTIONS
@@ -325,7 +325,7 @@ fn read_machines(checker: &mut Checker, value: Option<&Value>, units: Units) {
     }
 }
 
-/// Styli: what of a job belongs to one.
+/// Reads styli: the parts of a job that belong to one.
 fn read_styli(checker: &mut Checker, value: Option<&Value>, units: Units) {
     for (at, stylus) in entries(checker, value, "styli") {
         Section::new(checker, Some(stylus), &at);

@@ -7,12 +7,12 @@ use crate::path::{Path, Purpose, most};
 /// The travel of the machine and its keep-out zones, in the work coordinate system, mm.
 #[derive(Debug)]
 pub struct Space {
-    /// Where the ball's centre can go; `None` if that is not known.
+    /// Range of the ball centre; `None` if it is unknown.
     pub travel: Option<Zone>,
     pub keep_out: Vec<Zone>,
 }
 
-/// A box along the axes.
+/// A box parallel to the axes.
 #[derive(Debug)]
 pub struct Zone {
     pub name: String,
@@ -20,12 +20,12 @@ pub struct Zone {
     pub max: Vec3,
 }
 
-/// A piece of the path that the ball's centre can run along.
+/// A straight piece of the path that the ball centre can take.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
     from: Vec3,
     to: Vec3,
-    /// How far a result that its cycle follows may shift it along each axis, mm.
+    /// Largest shift along each axis by a followed result, mm.
     shift: Vec3,
     /// Index of the move.
     index: usize,
@@ -33,18 +33,18 @@ pub struct Piece {
     search: bool,
 }
 
-/// A place beyond the travel.
+/// A position beyond the travel.
 #[derive(Clone, Copy, Debug)]
 pub struct Beyond {
     pub axis: usize,
     pub place: f64,
     pub limit: f64,
-    /// Index of the move, and whether it is reached in its search only.
+    /// Index of the move, and whether only its search reaches the position.
     pub index: usize,
     pub search: bool,
 }
 
-/// Which part of the probe enters a zone.
+/// Part of the probe that enters a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entering {
     Ball,
@@ -52,19 +52,19 @@ pub enum Entering {
     Body,
 }
 
-/// So far inside a zone nothing is reported, mm: rounding.
+/// Smaller overlaps with a zone are not reported, mm: rounding.
 const SKIN: f64 = 1e-6;
 
-/// How finely arcs are followed, degrees: between its ends a piece of a 100 mm arc is off by 0.004 mm.
+/// Angle of the pieces of an arc, degrees: the middle of a piece of a 100 mm arc is off by 0.004 mm.
 const PIECE: f64 = 1.0;
 
-/// Every straight piece of the path, with the searches past the nominal contacts, to where the control gives up.
+/// All straight pieces of the path, including the searches past the nominal contacts.
 pub fn pieces(path: &Path) -> Vec<Piece> {
     let mut found = Vec::new();
     let mut at = path.start.or(path.moves.first().map(|step| step.to));
     for (index, step) in path.moves.iter().enumerate() {
         let Some(mut from) = at else { break };
-        // The place where it begins may be shifted farther than that where it ends.
+        // The start may be shifted farther than the end.
         let begin = index
             .checked_sub(1)
             .map_or(Vec3::ZERO, |before| most(path.shifts(before)));
@@ -94,7 +94,7 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
     found
 }
 
-/// Where a path is farthest beyond the travel, in each direction.
+/// The farthest positions beyond the travel, in each direction.
 pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
     let mut found = Vec::new();
     for axis in 0..3 {
@@ -118,7 +118,7 @@ pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
     found
 }
 
-/// The first move in which the ball, or what is known of the stylus above it, enters a zone. `up` is the tool axis.
+/// The first move in which the ball, or the known part of the stylus above it, enters a zone. `up` is the tool axis.
 pub fn enters(
     pieces: &[Piece],
     zone: &Zone,
@@ -137,13 +137,13 @@ pub fn enters(
             .map(|(body, length)| (Entering::Body, body / 2.0, length, None)),
     ];
     let entering = |piece: &Piece| {
-        // A piece that may be shifted enters where the zone is as much larger.
+        // A piece that may be shifted is checked against a zone that is larger by the shift.
         let (min, max) = (zone.min - piece.shift, zone.max + piece.shift);
         if distance(piece.from, piece.to, min, max) < radius - SKIN {
             return Some(Entering::Ball);
         }
         let struck = |(part, radius, from, to): &(Entering, f64, f64, Option<f64>)| {
-            // Along the part of the way where the cylinder is as high as the zone it is looked at from above.
+            // Where the cylinder and the zone overlap in height, their distance is checked in the plane.
             let (low, high) = (min.dot(axis) - to.unwrap_or(FAR), max.dot(axis) - from);
             let (begin, end) = (piece.from.dot(axis), piece.to.dot(axis));
             let (first, last) = within(begin, end, low + SKIN, high - SKIN)?;
@@ -162,7 +162,7 @@ pub fn enters(
 /// Farther than any machine travels, mm.
 const FAR: f64 = 1e7;
 
-/// The first and the last fraction of a way from `begin` to `end` that is between two values.
+/// First and last fraction of a move from `begin` to `end` that is between two values.
 fn within(begin: f64, end: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     if low > high {
         return None;
@@ -176,8 +176,8 @@ fn within(begin: f64, end: f64, low: f64, high: f64) -> Option<(f64, f64)> {
     (first <= last).then_some((first, last))
 }
 
-/// The shortest distance between a straight way and a box, mm. Along the way its square is a parabola between the places where the way crosses the planes
-/// of the box: the least of these is looked for piece by piece.
+/// Shortest distance between a straight move and a box, mm. Between the points where the move crosses the planes of the box, the square of the distance is a
+/// parabola: each piece is searched for its minimum.
 fn distance(from: Vec3, to: Vec3, min: Vec3, max: Vec3) -> f64 {
     let way = to - from;
     let mut cuts = vec![0.0, 1.0];
@@ -198,7 +198,7 @@ fn distance(from: Vec3, to: Vec3, min: Vec3, max: Vec3) -> f64 {
     };
     let least = |(begin, end): (f64, f64)| {
         let middle = (begin + end) / 2.0;
-        // Along an axis on which the place is inside the box, it adds no distance.
+        // Along an axis on which the position is inside the box, it adds no distance.
         let gap = off(middle);
         let moving =
             Vec3::from_array([0, 1, 2].map(|axis| if gap[axis] == 0.0 { 0.0 } else { way[axis] }));

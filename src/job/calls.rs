@@ -1,5 +1,5 @@
-//! Which words of native cycles take which rows of the parameter table: found by moving each value a little and looking at what follows in the
-//! calls, so that nothing is said that the writer does not do.
+//! Finds the words of native calls that correspond to rows of the parameter table: each value is changed a little, and the changed words of the calls are
+//! recorded. So the table lists only what the writer does.
 
 use crate::form::{Checker, Value};
 use crate::job::Job;
@@ -7,20 +7,20 @@ use crate::job::defaults::resolved;
 use crate::job::planned::Planned;
 use crate::path::{Feature, OwnBlock, Parameter, ParameterValue, Path};
 
-/// By how much a value is moved, in units of the job.
+/// Change of a value, in units of the job.
 const STEP: f64 = 1.0 / 128.0;
 
-/// By how much the feature is, so that no two places are the same by chance.
+/// Displacement of the feature, so that no two positions are equal by chance.
 const ASIDE: [f64; 3] = [12.0625, -7.1875, 3.3125];
 
-/// Codes from here down are those of the touches before dimensions are compensated.
+/// Codes from here down belong to the touches before dimensions are compensated.
 const ORIGINAL: i32 = -200;
 
-/// How nearly values must agree, mm or degrees.
+/// Tolerance for equal values, mm or degrees.
 const NEAR: f64 = 1e-7;
 
-/// For each row of the parameter table the words of the calls that follow it: `P9814 D`, `CYCLE977 5`. `None` if the job's program calls no cycles of the
-/// control's own, or has errors.
+/// For each row of the parameter table the words of the calls that depend on it: `P9814 D`, `CYCLE977 5`. `None` if the job's program calls no native cycles,
+/// or has errors.
 pub fn calls(value: &Value) -> Option<Vec<Vec<String>>> {
     let job = aside(&resolved(value)?);
     let planned = planned(&job)?;
@@ -36,7 +36,7 @@ pub fn calls(value: &Value) -> Option<Vec<Vec<String>>> {
             .as_deref()
             .and_then(|field| following(&job, field, &base))
             .unwrap_or_default();
-        // The place of a wall is a touch's.
+        // The position of a wall belongs to a touch.
         let place = match row.value {
             ParameterValue::Length(mm) if walls && row.touch.is_some() && row.code > ORIGINAL => {
                 Some(mm)
@@ -65,9 +65,9 @@ pub fn calls(value: &Value) -> Option<Vec<Vec<String>>> {
 /// A word of a call.
 struct Word {
     name: String,
-    /// mm, degrees.
+    /// In mm or degrees.
     value: f64,
-    /// Whether the call measures something.
+    /// Whether the call measures.
     measures: bool,
 }
 
@@ -77,7 +77,7 @@ fn planned(job: &Value) -> Option<Planned> {
     (!checker.failed() && planned.refused.is_empty()).then_some(planned)
 }
 
-/// The words of the calls; `None` if nothing is called.
+/// Words of the calls; `None` if nothing is called.
 fn words(planned: &Planned) -> Option<Vec<Word>> {
     let (own, cycles) = (planned.path.own.as_ref()?, planned.job.post.own?);
     let all = own.blocks.iter().flat_map(|(block, _)| {
@@ -102,7 +102,7 @@ fn words(planned: &Planned) -> Option<Vec<Word>> {
     Some(all.collect())
 }
 
-/// The rows of the table as the cycle documents them.
+/// Rows of the documented cycle's table.
 fn table(planned: &Planned) -> Vec<Parameter> {
     let documented: Path = planned.job.cycle.plan(&planned.job.setup);
     planned
@@ -111,10 +111,10 @@ fn table(planned: &Planned) -> Vec<Parameter> {
         .parameters(&planned.job.setup, &documented.touches)
 }
 
-/// The words that follow a field of the job.
+/// Words that depend on a field of the job.
 fn following(job: &Value, field: &str, base: &[Word]) -> Option<Vec<String>> {
     let moved = moved(job, field)?;
-    // Where a cycle has one value for two sides, both are moved.
+    // If a cycle has one value for two sides, both are changed.
     let other = match (words_of(&moved), twin(field)) {
         (None, Some(twin)) => words_of(&self::moved(&moved, &twin)?)?,
         (words, _) => words?,
@@ -132,7 +132,7 @@ fn words_of(job: &Value) -> Option<Vec<Word>> {
     words(&planned(job)?)
 }
 
-/// The same field of the other side.
+/// The corresponding field of the other side.
 fn twin(field: &str) -> Option<String> {
     let (stem, side) = field.split_at_checked(field.len().checked_sub(1)?)?;
     match side {
@@ -142,7 +142,7 @@ fn twin(field: &str) -> Option<String> {
     }
 }
 
-/// The job with a number of it moved: a field, or the coordinate of one, `cycle.point1[0]`.
+/// The job with one number changed: a field, or a coordinate of one, `cycle.point1[0]`.
 fn moved(job: &Value, field: &str) -> Option<Value> {
     let (field, index) = match field
         .strip_suffix(']')
@@ -174,7 +174,7 @@ fn moved(job: &Value, field: &str) -> Option<Value> {
     Some(with(job, &path, &new))
 }
 
-/// The job with its feature elsewhere.
+/// The job with its feature displaced.
 fn aside(job: &Value) -> Value {
     let Some(Value::List(origin)) = job.get("cycle").and_then(|cycle| cycle.get("origin")) else {
         return job.clone();
@@ -186,7 +186,7 @@ fn aside(job: &Value) -> Value {
     with(job, &["cycle", "origin"], &Value::List(places.collect()))
 }
 
-/// A job with another value at a place that it has.
+/// A job with another value at an existing path.
 fn with(value: &Value, path: &[&str], new: &Value) -> Value {
     let ([key, rest @ ..], Value::Map(entries)) = (path, value) else {
         return new.clone();

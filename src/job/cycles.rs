@@ -1,4 +1,4 @@
-//! The list of cycles of a job of format 2: each as the job that it would be alone.
+//! The cycles of a job in format 2, each as a job of its own.
 
 use crate::cycle;
 use crate::form::{Field, Value};
@@ -9,29 +9,29 @@ use crate::num::tidy;
 /// The format of a job with several cycles.
 pub const SET_UP_FORMAT: f64 = 2.0;
 
-/// The most cycles of a set-up.
+/// Largest number of cycles in a set-up.
 pub const MOST_CYCLES: usize = 100;
 
-/// The most characters of the name of a cycle.
+/// Longest name of a cycle, characters.
 pub const LONGEST_NAME: usize = 12;
 
-/// Names that programs use for something else.
+/// Names that programs use otherwise.
 pub const RESERVED: [&str; 2] = ["away", "tp"];
 
-/// The height between cycles.
+/// Clearance plane between cycles.
 pub const CLEAR: Field = Field::length("clear", "Height between cycles", 50.0)
     .range(-1e6, 1e6)
     .null_by_default()
     .null_means("as high as the highest cycle begins and ends")
     .help("Height along the tool axis at which the ball centre goes from one cycle to the next.");
 
-/// The keys of `datum`: what is written into abscissa, ordinate and tool axis of the work offset, and into its rotation.
+/// Keys of `datum`: sources of abscissa, ordinate, tool axis and rotation of the work offset.
 pub const DATUM: [&str; 4] = ["x", "y", "z", "rotation"];
 
-/// The key of a job that holds what is computed of the results of its cycles.
+/// Key of a job with the relations between results.
 pub const RELATIONS: &str = "relations";
 
-/// Whether programs of every control can print it in front of a result.
+/// Whether programs of every control can print the name before a result.
 pub fn is_name(name: &str) -> bool {
     let plain = name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.chars().all(|c| c.is_ascii_alphanumeric());
@@ -46,7 +46,7 @@ pub fn is_set_up(job: &Value) -> bool {
         || job.get("cycles").is_some()
 }
 
-/// The job that a cycle of a set-up would be alone; what is wrong with the set-up itself is not in it.
+/// The job of a single cycle of a set-up, without faults of the set-up itself.
 pub fn alone(job: &Value, index: usize) -> Option<Value> {
     let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else {
         return None;
@@ -72,7 +72,7 @@ pub fn alone(job: &Value, index: usize) -> Option<Value> {
     Some(Value::Map(alone))
 }
 
-/// Adds the size limit to a set-up that leaves it out and has a size with a tolerance. One limit holds for all cycles, so the widest tolerance decides.
+/// Adds the size limit to a set-up that leaves it out and has a size with a tolerance. One limit applies to all cycles, so the widest tolerance decides.
 pub fn with_size_limit(set_up: &Value) -> Option<Value> {
     let limits = set_up.get("limits");
     let Some(Value::List(cycles)) = set_up.get("cycles") else {
@@ -117,12 +117,12 @@ fn part_of(part: &Value, name: &str) -> Value {
     Value::Map(entries.iter().map(of).collect())
 }
 
-/// The name of a cycle, as [`names`] has it.
+/// Name of a cycle, as in [`names`].
 pub fn name_of(cycles: &[Value], index: usize) -> String {
     names(cycles).swap_remove(index)
 }
 
-/// The names of all cycles: its own each, or what its type is called, with the first number from 2 where that is taken.
+/// Names of all cycles: the given one, or the name of the type, with the first free number from 2 if that is taken.
 pub fn names(cycles: &[Value]) -> Vec<String> {
     let given = |cycle: &Value| match cycle.get("name") {
         Some(Value::Text(name)) => Some(name.clone()),
@@ -133,7 +133,7 @@ pub fn names(cycles: &[Value]) -> Vec<String> {
         _ => "CYCLE",
     };
     let mut names: Vec<Option<String>> = cycles.iter().map(given).collect();
-    // How far the numbers of each stem have come.
+    // Last used number of each stem.
     let mut numbers: Vec<(&str, usize)> = Vec::new();
     for (i, cycle) in cycles
         .iter()

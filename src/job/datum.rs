@@ -1,4 +1,4 @@
-//! What a set-up writes: which result goes into which axis of the work offset and into its rotation, and by how much.
+//! Write of a set-up: the result for each axis of the work offset and its rotation, and the resulting shift.
 
 use crate::form::{Checker, Value};
 use crate::formula::Role;
@@ -16,12 +16,12 @@ struct Candidate {
     of: usize,
     /// Its name: `BORE.center.x`.
     named: String,
-    /// Its place in the list of results.
+    /// Index of the result.
     result: usize,
 }
 
-/// What is written into which axis: as the job says; what it leaves out is the first cycle that measures the axis, for abscissa and ordinate one that
-/// measures both. A rotation is written on request only.
+/// Sources of the written axes: as the job states. By default the first cycle that measures the axis, for abscissa and ordinate one that measures both. A
+/// rotation is written on request only.
 pub fn read(
     checker: &mut Checker,
     value: &Value,
@@ -113,7 +113,7 @@ pub fn read(
     (!checker.failed()).then_some(written)
 }
 
-/// What native cycles can write: each writes as soon as it has measured, and all that it measures.
+/// Checks the write of native cycles: each writes immediately after measuring, and everything that it measures.
 fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     let members = &whole.members;
     let moves = members[0].job.post.moves();
@@ -137,7 +137,7 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
         };
         checker.error("set-up-unsupported", "datum", message);
     }
-    // What such a cycle measures it writes, whatever a job would rather have.
+    // Such a cycle writes everything that it measures, whatever the job states.
     let measured = members[members.len() - 1]
         .path
         .formula
@@ -206,7 +206,7 @@ fn unknown_datum(text: &str, axis: usize, all: &[Candidate]) -> Text {
     }
 }
 
-/// The results that an axis of the work offset, or its rotation, can be written from.
+/// Results that an axis of the work offset, or its rotation, can be written from.
 fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
     let of = |(of, own): (usize, Measuring<'_>)| {
         let measured = own
@@ -229,7 +229,7 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         });
         found.collect::<Vec<_>>()
     };
-    // Native cycles write what they measure, and no relation.
+    // Native cycles write what they measure, but no relation.
     let count = if path.own.is_some() {
         path.members.len()
     } else {
@@ -242,7 +242,7 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         .collect()
 }
 
-/// The cycle that an axis is written from where the job does not say: the first of these that measures both of the plane, else the first that measures it.
+/// Default source of an axis: the first of these cycles that measures both axes of the plane, else the first that measures the axis.
 fn proposed(path: &Path, axis: usize, of: std::ops::Range<usize>) -> Option<usize> {
     let all: Vec<[bool; 3]> = path
         .measuring()
@@ -262,7 +262,7 @@ fn proposed(path: &Path, axis: usize, of: std::ops::Range<usize>) -> Option<usiz
     found.filter(|i| all[*i][axis])
 }
 
-/// Rows for what the program writes: how far the measured place and the rotation are off their nominal ones.
+/// Rows for the write: deviations of the measured position and rotation from nominal.
 pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
     let (job, path) = (&whole.job, &whole.path);
     let (Some(number), Some(datum)) = (job.work_offset, &path.formula.datum) else {
@@ -330,10 +330,10 @@ pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
     rows
 }
 
-/// A shift of the origin beside a rotation that is written with it. The origin is what was measured less the nominal place, turned by the rotation: the turn
-/// moves an origin that is far from the measured place.
+/// Corrects the shift of the origin for a rotation that is written with it. The origin is measured minus nominal, rotated: the rotation moves an origin that is
+/// far from the measured position.
 fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) {
-    // By how much a turn about the origin moves the nominal place.
+    // Movement of the nominal position by a rotation about the origin.
     let moved = |turn: f64| {
         let (sin, cos) = turn.to_radians().sin_cos();
         [x * cos - y * sin - x, x * sin + y * cos - y][axis]
@@ -345,7 +345,7 @@ fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) 
     };
     (row.value, row.truth) = (less(row.value, turn.value), less(row.truth, turn.truth));
     row.deviation = row.value;
-    // Both scatter; from touches of one cycle they do so together, which rows do not tell.
+    // Both scatter; from touches of one cycle they are correlated, which rows do not show.
     let arm = [y, x][axis].abs().to_radians();
     let apart = row.cycle != turn.cycle;
     row.uncertainty = match (row.uncertainty, turn.uncertainty) {
@@ -355,7 +355,7 @@ fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) 
     };
 }
 
-/// How far a result is off its nominal value, as a row of its own.
+/// Deviation of a result from nominal, as a separate row.
 fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
     let truth = source
         .truth
@@ -386,7 +386,7 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
     }
 }
 
-/// What can be written into each axis, and what is.
+/// Possible sources of each axis, and the used one.
 pub fn datum_rows(whole: &Planned) -> Vec<DatumRow> {
     let (path, source) = (&whole.path, whole.path.datum_source);
     if path.members.is_empty() {

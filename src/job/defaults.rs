@@ -1,4 +1,4 @@
-//! Complete jobs: every value that a job leaves out.
+//! Complete jobs with all values that a job leaves out.
 
 use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, SubForm, Value};
@@ -10,30 +10,30 @@ use crate::job::units::default_in;
 use crate::num::tidy;
 use crate::tolerance::plain_of_result;
 
-/// How defaults, which are given in mm, are brought to a job in inch.
+/// Conversion of defaults, which are in mm, to inch.
 #[derive(Clone, Copy, PartialEq)]
 enum Inch {
-    /// In full.
+    /// With all digits.
     Exact,
-    /// With as many decimals as a conversion has.
+    /// With the decimals of a conversion.
     Converted,
-    /// As numbers that people type.
+    /// Rounded to usual numbers.
     Typed,
 }
 
-/// A complete, valid job of a type, in mm, named by what it measures; none for an unknown type.
+/// A complete, valid job of a type, in mm, with its default name; `None` for an unknown type.
 pub fn default_job(key: &str) -> Option<Value> {
     default_job_in(key, Units::Mm)
 }
 
-/// A new job of a type: in inch with numbers that people type, not with converted millimetres.
+/// A new job of a type: in inch with usual numbers instead of converted millimetres.
 pub fn new_job(key: &str, units: Units) -> Option<Value> {
     let mut job = complete_job(cycle::find(key)?, units, Inch::Typed);
     job.put("units", Value::Text(units.word().to_owned()));
     Some(named(job))
 }
 
-/// The default job with lengths and feeds converted to `units`; its own `units` are still to be set.
+/// The default job with lengths and feeds converted to `units`; the caller sets its `units`.
 pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
     Some(named(complete_job(
         cycle::find(key)?,
@@ -42,7 +42,7 @@ pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
     )))
 }
 
-/// The default of a field in a new job in inch, in inch: what the field gives, or its default with one digit, two where the first is 1.
+/// Default of a field in a new job in inch, in inch: the field's own, or its default with one digit, two if the first is 1.
 pub fn typed_in_inch(field: &Field) -> Default {
     let metric = field.kind.is_metric();
     match (field.default, field.inch) {
@@ -53,7 +53,7 @@ pub fn typed_in_inch(field: &Field) -> Default {
     }
 }
 
-/// Millimetres in inch, with one digit, two where the first is 1.
+/// Millimetres in inch, with one digit, two if the first is 1.
 fn typed(mm: f64) -> f64 {
     let inch = mm / Units::Inch.scale();
     if inch == 0.0 {
@@ -65,7 +65,7 @@ fn typed(mm: f64) -> f64 {
     } else {
         0.0
     };
-    // Divided by a whole power of ten, a whole number is as near as a number can be.
+    // An integer divided by a power of ten is as exact as a double can be.
     let places = digits - first;
     if places >= 0.0 {
         (inch * 10f64.powf(places)).round() / 10f64.powf(places)
@@ -74,7 +74,7 @@ fn typed(mm: f64) -> f64 {
     }
 }
 
-/// Whether a field has this value in a job that says nothing of it, in whichever units.
+/// Whether a field has the value that applies if a job leaves it out, in any units.
 pub fn is_default(field: &Field, value: &Value) -> bool {
     let units = [
         (Units::Mm, Inch::Exact),
@@ -90,14 +90,14 @@ pub fn is_default(field: &Field, value: &Value) -> bool {
     units.into_iter().any(same)
 }
 
-/// A job with the name of what it measures.
+/// A job with its default name.
 fn named(mut job: Value) -> Value {
     let name = Value::Text(job_name(&job));
     job.put("name", name);
     job
 }
 
-/// The defaults of the fields of a form inside a cycle's form, likewise.
+/// Defaults of the fields of an inner form, in `units`.
 pub fn section_defaults_in(fields: &[Field], units: Units) -> Value {
     Value::Map(default_values(fields, units, Inch::Converted))
 }
@@ -113,7 +113,7 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
             job.extend(default_values(fields));
         } else {
             let mut entries = default_values(fields);
-            // A form begins with the cycle's own control; what a job leaves out is the reader's default.
+            // A form starts with the cycle's default control; a job that leaves it out gets the reader's default.
             if *path == "control" && inch != Inch::Exact {
                 for (key, value) in [("post", def.home.0), ("form", def.home.1)] {
                     entries.retain(|(k, _)| k != key);
@@ -131,7 +131,7 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     }
     let mut entries = vec![("type".to_owned(), Value::Text(def.key.to_owned()))];
     entries.extend(default_values(def.fields));
-    // A cycle that repeats nothing has no word for it: its programs are those that were written before there were repeats.
+    // A cycle without repetitions omits the key, so that its program equals one from before repetitions existed.
     for section in def
         .sections
         .iter()
@@ -148,7 +148,7 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     Value::Map(job)
 }
 
-/// A job with every value: missing ones have their defaults. `None` if it has no known cycle.
+/// A job with all values: missing ones have their defaults. `None` without a known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     if is_set_up(job) {
         let limited = with_size_limit(job);
@@ -160,7 +160,7 @@ pub fn resolved(job: &Value) -> Option<Value> {
     let units = Units::of(job);
     let def = cycle::find(key)?;
     let mut whole = complete_job(def, units, Inch::Exact);
-    // An optional form that is given has all its fields.
+    // A given optional form has all its fields.
     let given = |place: Option<&Value>, form: &SubForm| {
         matches!(place?.get(form.key), Some(Value::Map(_))).then(|| {
             let values = default_values(form.fields, units, Inch::Exact);
@@ -194,7 +194,7 @@ pub fn resolved(job: &Value) -> Option<Value> {
     Some(whole)
 }
 
-/// Writes sizes with a tolerance in characters that every control accepts in a comment, and adds the size limit that follows from them.
+/// Writes sizes with a tolerance in characters that every control accepts in a comment, and adds the resulting size limit.
 fn put_sized(whole: &mut Value, job: &Value, def: &CycleDef, units: Units) {
     let Some(cycle) = whole.get_mut("cycle") else {
         return;
@@ -213,7 +213,7 @@ fn put_sized(whole: &mut Value, job: &Value, def: &CycleDef, units: Units) {
     }
 }
 
-/// A normal run and the first probe input go without saying: programs stay as they were before there was a choice.
+/// Omits a normal run and the first probe input, so that programs stay the same as before there was a choice.
 fn leave_usual(control: &mut Value) {
     let Value::Map(entries) = control else { return };
     entries.retain(|(key, value)| !(key == "probeInput" && *value == Value::Number(1.0)));
@@ -227,7 +227,7 @@ fn leave_usual(control: &mut Value) {
     }
 }
 
-/// The tolerances of a job in characters that a comment of any control takes; `None` if it has none.
+/// The tolerances of a job in characters that a comment of any control accepts; `None` if there are none.
 fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
     let Some(Value::Map(entries)) = job
         .get(TOLERANCES)
@@ -254,7 +254,7 @@ fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
     ))
 }
 
-/// The same of a job with several cycles: each with its name and every value.
+/// A job with several cycles, each with its name and all values.
 fn resolved_set_up(job: &Value) -> Option<Value> {
     let Some(Value::List(cycles)) = job.get("cycles") else {
         return None;
@@ -287,7 +287,7 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
         "clear".to_owned(),
         job.get("clear").cloned().unwrap_or(Value::Null),
     ));
-    // No table of signs of a Fanuc has the braces of an empty one.
+    // A Fanuc may have no braces for an empty one.
     let datum = job
         .get("datum")
         .filter(|datum| !matches!(datum, Value::Map(none) if none.is_empty()));
@@ -301,7 +301,7 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     Some(Value::Map(entries))
 }
 
-/// Puts what `over` says over what is there; lists are taken whole.
+/// Overlays a value with another one; lists are replaced as a whole.
 pub(super) fn overlay(under: &mut Value, over: &Value) {
     let (Value::Map(entries), Value::Map(given)) = (&mut *under, over) else {
         *under = over.clone();
@@ -330,7 +330,7 @@ fn default_values(fields: &[Field], units: Units, inch: Inch) -> Vec<(String, Va
         .collect()
 }
 
-/// The default of a field in `units`.
+/// Default of a field in `units`.
 fn default_of(field: &Field, units: Units, inch: Inch) -> Default {
     let converted = |x: f64| {
         if inch == Inch::Exact {

@@ -1,4 +1,4 @@
-//! A text held against a job: what the rules say of it, and whether it is proven to be the job's program.
+//! Checks a text against a job: safety rules, and proof that it is the job's program.
 
 use crate::control::Request;
 use crate::control::prove::{self, Fault, Followed, Part};
@@ -10,7 +10,7 @@ use crate::job::plan::{plan_with_path, read, request};
 #[cfg(test)]
 use crate::job::planned::Planned;
 
-/// Asks something about the program that a job is to have; `None` if the job has errors.
+/// Calls `ask` with the request for a job's program; `None` if the job has errors.
 fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) -> Option<T> {
     let planned = read(&mut Checker::default(), value)?;
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
@@ -18,11 +18,11 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
     Some(ask(&request(&planned, &feeds, whole.as_ref())))
 }
 
-/// What the safety rules say of a text that is to be the program of this job; `None` if the job has errors, or its control's programs are
-/// not read. Faults are lines that are not understood, or do not work at their place.
+/// Safety rules for a text that is meant to be the program of this job; `None` if the job has errors, or its control's programs are not read. Faults are lines
+/// that are not understood, or are invalid at their position.
 pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
     about(value, false, |request| {
-        // Others are compared block by block.
+        // Other programs are compared block by block.
         if !request.is_followed() {
             return None;
         }
@@ -36,7 +36,7 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
     })?
 }
 
-/// The program of a planned job, read back and judged.
+/// The program of a planned job, read back and checked.
 #[cfg(test)]
 pub fn released(planned: &Planned) -> Result<String, crate::control::release::Refusal> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
@@ -45,7 +45,7 @@ pub fn released(planned: &Planned) -> Result<String, crate::control::release::Re
     Ok(released.into_parts().0.text)
 }
 
-/// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
+/// Whether a text is proven to be the program of a job, with its moves in these 0-based lines. False for a job with errors.
 #[cfg(test)]
 pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
     let lines: Vec<Option<usize>> = lines
@@ -59,8 +59,8 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
     proven.is_some_and(|proof| proof.is_ok())
 }
 
-/// Whether the reader of a control makes the same of a text with the lines that it remembers from earlier ones and without, for the fuzzer: the same
-/// program or the same troubles. `None` if it reads no program.
+/// Whether a control's reader reads a text the same with and without cached lines, for the fuzzer: the same program or the same faults. `None` if it reads no
+/// program.
 #[doc(hidden)]
 pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
     let read = crate::control::POSTS
@@ -71,8 +71,8 @@ pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
     Some(read(text) == anew)
 }
 
-/// How long printing, reading back, proof, rules and a plan without its table take, for the bench: each with what it needs done before, `rounds` times.
-/// The proof reads, too.
+/// Times of printing, reading back, proof, rules and a plan without its table, for the benchmark: each with its prerequisites, `rounds` times. The proof
+/// includes reading.
 #[doc(hidden)]
 pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
     use std::hint::black_box;
@@ -85,7 +85,7 @@ pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &m
             let followed = prove::follow(request, &program.text, Part::Path)?;
             prove::prove(request, &followed, &program.move_lines).map(|_| followed)
         };
-        // In this order: nothing was read before that is not to be counted.
+        // In this order nothing is cached too early.
         timed("print", &mut || {
             (0..rounds).for_each(|_| drop(black_box((request.post.emit)(request))))
         });

@@ -1,4 +1,4 @@
-//! What follows a result of an earlier cycle of a set-up: a place, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
+//! Values that follow a result of an earlier cycle in a set-up: a position, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
 
 use std::cell::OnceCell;
 
@@ -15,10 +15,10 @@ use crate::path::{Along, Follows, Measuring, Path, Purpose, Shifts, ZERO_LENGTH,
 use crate::text::{Text, text};
 use crate::{formula, part};
 
-/// The most characters of such a text.
+/// Longest text of this kind, characters.
 pub const LONGEST_PLACE: usize = 64;
 
-/// A text that begins with a result: its name, and what is added to it in the job's units.
+/// A parsed text: name of the result, and the added number in the job's units.
 struct Sum<'t> {
     name: &'t str,
     added: f64,
@@ -26,7 +26,7 @@ struct Sum<'t> {
 
 impl<'t> Sum<'t> {
     fn of(text: &'t str) -> Option<Sum<'t>> {
-        // Other white space does not come back from a header.
+        // Other white space is lost in a header.
         let inner = text
             .trim_matches(' ')
             .strip_prefix('=')
@@ -53,7 +53,7 @@ impl<'t> Sum<'t> {
     }
 }
 
-/// The text with another number added, as in other units. `None` for a text that is not a sum of a result and a number.
+/// The text with another number, such as in other units. `None` for any text but a sum of a result and a number.
 pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
     let Sum { name, added } = Sum::of(text)?;
     let added = change(added);
@@ -65,20 +65,20 @@ pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
     })
 }
 
-/// What a cycle can follow.
+/// Results that a cycle can follow.
 pub struct Earlier<'a> {
-    /// The path of the cycles before it, with the relations that a cycle follows.
+    /// Joined path of the earlier cycles, with the relations that cycles follow.
     pub path: &'a Path,
     pub relations: &'a Relations<'a>,
-    /// The first cycle: control and limits are those of all.
+    /// Job of the first cycle: control and limits apply to all cycles.
     pub first: Option<&'a Job>,
-    /// Whether a cycle before it has errors: they are reported there.
+    /// Whether an earlier cycle has errors, which are reported there.
     pub broken: bool,
-    /// The path with every relation that can be computed, once a message names what there is.
+    /// The path with every computable relation, made for messages that list the results.
     pub all: OnceCell<Path>,
 }
 
-/// The names of the cycles and relations that these cycles follow.
+/// Names of the cycles and relations that these cycles follow.
 pub fn followed(cycles: &[Value]) -> Vec<&str> {
     let values = cycles.iter().flat_map(|cycle| match cycle {
         Value::Map(entries) => entries.as_slice(),
@@ -94,16 +94,15 @@ pub fn followed(cycles: &[Value]) -> Vec<&str> {
         .collect()
 }
 
-/// What a cycle is to follow, with its sizes not yet tried.
+/// Dependencies of a cycle whose sizes are not tried yet.
 #[derive(Debug, Default)]
 pub struct Wanted {
     pub follows: Follows,
-    /// The keys of its sizes, and the result that each follows.
+    /// Keys of the sizes that follow a result, with the indices of the results.
     sizes: Vec<(String, usize)>,
 }
 
-/// Puts the nominal value of each result that cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a zero there,
-/// or with the size of the form.
+/// Replaces each followed result of cycle `index` by its nominal value, and reports faults. On a fault the cycle is read on with 0, or with the default size.
 pub fn take(
     checker: &mut Checker,
     single: &mut Value,
@@ -157,7 +156,7 @@ pub fn take(
                 };
                 let path = format!("cycles[{index}].{key}");
                 let found = one(checker, text, (Kind::Size, &path), earlier);
-                // Where it is not known the cycle is read on with what the form begins with.
+                // If it is unknown the cycle is read on with the default.
                 *value = Value::Number(found.as_ref().map_or(0.0, |found| found.nominal));
                 if found.is_none() {
                     unknown.push(key.clone());
@@ -179,12 +178,12 @@ pub fn take(
     wanted
 }
 
-/// Whether a field is a size that may follow a result: not one that is a text with a tolerance, as those of 1411.
+/// Whether a field is a size that may follow a result: not a text with a tolerance, as in 1411.
 fn may_follow(field: &Field) -> bool {
     field.size && field.kind == crate::form::Kind::Length
 }
 
-/// What a text that begins with a result says.
+/// Text after the equals sign of a value that follows a result.
 fn result_text(value: &Value) -> Option<&str> {
     match value {
         Value::Text(text) => {
@@ -205,26 +204,26 @@ fn cycle_of(single: &mut Value) -> Option<&mut Vec<(String, Value)>> {
     }
 }
 
-/// What of a cycle follows a result.
+/// Kind of the value that follows a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// A coordinate along an axis.
+    /// Coordinate along an axis.
     Place(usize),
     Rotation,
     Size,
 }
 
-/// A result that is followed.
+/// A followed result.
 struct Found {
-    /// Its index in the whole.
+    /// Its index in the joined path.
     of: usize,
-    /// What is given to the cycle on the nominal part, in the job's units or degrees.
+    /// Value for the cycle on the nominal part, in the job's units or degrees.
     nominal: f64,
-    /// What the result is on the nominal part, mm or degrees.
+    /// Value of the result on the nominal part, mm or degrees.
     place: f64,
 }
 
-/// What one text follows, and what that is on the nominal part.
+/// Reads one text: the followed result and its nominal value.
 fn one(
     checker: &mut Checker,
     text: &str,
@@ -265,7 +264,7 @@ fn one(
     })
 }
 
-/// What is wrong with a text that is no sum of a result and a number.
+/// Message for a text that is not a sum of a result and a number.
 fn not_a_sum(text: &str, kind: Kind) -> Text {
     let given: String = printable(text).chars().take(LONGEST_PLACE).collect();
     match kind {
@@ -284,7 +283,7 @@ fn not_a_sum(text: &str, kind: Kind) -> Text {
     }
 }
 
-/// The result with this name, of this kind; else why there is none.
+/// The result with this name and kind, or the reason why there is none.
 fn find(name: &str, kind: Kind, earlier: &Earlier<'_>) -> Result<Known, Text> {
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
     let is_code = |known: &str| code.eq_ignore_ascii_case(known);
@@ -342,7 +341,7 @@ fn find(name: &str, kind: Kind, earlier: &Earlier<'_>) -> Result<Known, Text> {
     }
 }
 
-/// That nothing of this name is measured before the cycle, and what is.
+/// Message that nothing of this name is measured before the cycle, with the names of the results that are.
 fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
     let nothing = match kind {
         Kind::Place(_) => text!("No cycle before this one measures a place \"{name}\"", name),
@@ -358,7 +357,7 @@ fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
     }
 }
 
-/// Why no cycle can follow a result in the program of a job.
+/// Reason why no cycle can follow a result in the program of a job.
 fn cannot_follow(job: &Job) -> Option<Text> {
     if several(job).is_some() || job.form == Form::Cycle {
         return Some(match job.post.moves() {
@@ -378,7 +377,7 @@ fn cannot_follow(job: &Job) -> Option<Text> {
     })
 }
 
-/// What a job lacks that bounds how far a cycle may follow a result.
+/// A missing limit that must bound the followed result.
 fn missing_limit(job: &Job, kind: Kind) -> Option<Text> {
     let (limit, message) = match kind {
         Kind::Place(_) => (
@@ -405,18 +404,18 @@ fn missing_limit(job: &Job, kind: Kind) -> Option<Text> {
 
 /// A result that a cycle measures, or a relation gives.
 struct Known {
-    /// Its index in the whole.
+    /// Its index in the joined path.
     index: usize,
     code: &'static str,
-    /// 0, 1, 2: of a place abscissa, ordinate, tool axis.
+    /// 0, 1, 2 for abscissa, ordinate and tool axis of a position.
     letter: Option<usize>,
-    /// Of a place the axis of the machine.
+    /// Axis of the machine, for a position.
     axis: Option<usize>,
-    /// What it is on the nominal part, mm or degrees.
+    /// Value on the nominal part, mm or degrees.
     nominal: f64,
 }
 
-/// Those results of a cycle or relation that are of this kind and measured. `axes` are abscissa, ordinate and tool axis.
+/// Measured results of a cycle or relation of this kind. `axes` are abscissa, ordinate and tool axis.
 fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
     let datum = own.datum.map(|datum| {
         datum
@@ -443,7 +442,7 @@ fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -
             (Kind::Place(_), Role::Abscissa) => own(Some(0)),
             (Kind::Place(_), Role::Ordinate) => own(Some(1)),
             (Kind::Place(_), Role::Level) => own(Some(2)),
-            // Along a surface nothing is measured.
+            // Nothing is measured along a surface.
             (Kind::Place(_), Role::Reading) => own(Some(in_datum(result.variable)?)),
             (Kind::Rotation, Role::Direction) | (Kind::Size, Role::Size) => own(None),
             _ => None,
@@ -452,8 +451,8 @@ fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -
     own.results.clone().filter_map(of).collect()
 }
 
-/// What a cycle follows, once its path is planned: about which place it is turned, and how its moves go along with its sizes. Reports what it cannot
-/// follow. `single` is the job of the cycle alone, with its nominal values, `earlier` the path of those before it.
+/// Resolves the dependencies of a planned cycle: centre of its rotation, and sensitivity of its moves to its sizes. Reports what it cannot follow. `single` is
+/// the job of this cycle with nominal values, `earlier` the path of the earlier cycles.
 pub fn settle(
     checker: &mut Checker,
     wanted: Wanted,
@@ -464,7 +463,7 @@ pub fn settle(
     let Wanted { mut follows, sizes } = wanted;
     let origin = planned.path.frame.origin;
     let [a, o, _] = planned.job.setup.plane.axes();
-    // About the place that it is placed by, as it lies there on the part; else about its own.
+    // About the position that it follows, where that is on the part; else about its own.
     let one_place = match (follows.place[a], follows.place[o]) {
         (Some(x), Some(y)) => {
             let place = |result: usize| {
@@ -495,7 +494,7 @@ pub fn settle(
     follows
 }
 
-/// Whether a cycle can be turned about a place, and how far that puts it.
+/// Checks whether a cycle can be rotated about a position, and how far that moves it.
 fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usize) {
     let Planned { path, job, .. } = planned;
     let field = || format!("cycles[{index}].rotation");
@@ -520,7 +519,7 @@ fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usiz
     }
 }
 
-/// How the moves of a cycle go along with a size, tried at both ends of its limit; else why they do not.
+/// Sensitivity of a cycle's moves to a size, tried at both ends of its limit, or the reason why there is none.
 fn along(checker: &Checker, planned: &Planned, single: &Value, key: &str) -> Result<Along, Text> {
     let Planned { path, job, .. } = planned;
     let limit = job.limits.size.unwrap_or(0.0);
@@ -546,7 +545,7 @@ fn along(checker: &Checker, planned: &Planned, single: &Value, key: &str) -> Res
     })
 }
 
-/// The path of a cycle with another size; else its first error, or `None` if the path is not free.
+/// The path of a cycle with another size, or its first error; `None` if the path is not free.
 fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
     let mut single = single.clone();
     for (own, value) in cycle_of(&mut single).into_iter().flatten() {
@@ -576,14 +575,14 @@ fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
     }
 }
 
-/// Runs the cycles that follow results again, on the virtual part: where what the control measures there puts them. Before a cycle that would be put
-/// beyond the limit the program stops: it and all behind it are not reached.
+/// Runs the cycles that follow results on the virtual part, at the positions that the measured results give. Before a cycle that would be shifted beyond the
+/// limit the program stops: this cycle and all later ones are not reached.
 pub fn run(whole: &mut Planned) {
     if whole.path.shifts.is_empty() {
         return;
     }
     for m in 0..whole.members.len() {
-        // What a cycle is asked about, and put by, comes from those before it.
+        // Checks and shifts of a cycle depend on earlier cycles.
         let asked = whole.path.asked_before(m, &whole.job.limits);
         if whole.path.members[m].placing.follows.is_empty() {
             continue;
@@ -624,7 +623,7 @@ pub fn run(whole: &mut Planned) {
     }
 }
 
-/// The triggers of all cycles as they were run.
+/// Triggers of all cycles as they were run.
 fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
     whole
         .members
@@ -633,7 +632,7 @@ fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
         .collect()
 }
 
-/// By what a cycle is turned, by the values of the formula of all.
+/// Rotation of a cycle, by the values of the joined formula.
 fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::Turn<f64>> {
     Some(
         path.members[member]
@@ -643,12 +642,12 @@ fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::Turn<f64>
     )
 }
 
-/// The path of a cycle that follows an angle, with the formula as these touches turn it.
+/// The path of a cycle that follows a direction, with its formula rotated as these touches give.
 pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option<Path> {
     let nominal = &whole.path.members[member].path.formula;
     whole.path.members[member].placing.turn()?;
     let turn = turn(&whole.path, member, &part::numbers(&whole.path, points))?;
-    // Where a control states its results there are no points: their uncertainty is that of the part of the drawing.
+    // If a control states its results there are no points: their uncertainty is that of the nominal part.
     let nothing = formula::Turn {
         shift: turn.shift.map(|shift| shift.map(|_| 0.0)),
         ..turn.map(|_| 0.0)
@@ -663,7 +662,7 @@ pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option
     Some(path)
 }
 
-/// How far a place is shifted, mm; not at all where that is not known.
+/// Shift of a position, mm; 0 if it is unknown.
 fn shift(shifts: &Shifts, values: &[f64]) -> Vec3 {
     let by = |term: &crate::path::Term| term.factor * values[term.by.index()];
     let sum = shifts
@@ -672,7 +671,7 @@ fn shift(shifts: &Shifts, values: &[f64]) -> Vec3 {
     Vec3::from_array(sum.map(|by| if by.is_finite() { by } else { 0.0 }))
 }
 
-/// The whole path as it runs on the virtual part. `None` if that is the path of the drawing.
+/// The whole path as it runs on the virtual part. `None` if it equals the nominal path.
 pub fn actual(whole: &Planned) -> Option<Path> {
     if whole.path.shifts.is_empty() || whole.job.placement.nominal {
         return None;
@@ -685,7 +684,7 @@ pub fn actual(whole: &Planned) -> Option<Path> {
     }))
 }
 
-/// Says before which cycle the program stops on the virtual part, and why.
+/// Reports the cycle before which the program stops on the virtual part, with the reason.
 pub fn report(whole: &Planned, checker: &mut Checker) {
     let Some((m, result)) = whole.run.halt else {
         return;
@@ -693,7 +692,7 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     let Some(question) = whole.path.formula.leads(result, &whole.job.limits) else {
         return;
     };
-    // Where a touch meets nothing, that is said.
+    // A touch without contact is reported elsewhere.
     let value = part::numbers(&whole.path, &whole.run.triggers)[question.variable.index()];
     if !value.is_finite() {
         return;
@@ -728,8 +727,8 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     );
 }
 
-/// Checks the ways of which one end follows a result and the other does not: the shift must neither turn a way down upwards, nor make one too short to be
-/// watched. Where one cycle lies over the other, the way across is nothing but the shift: it is not watched.
+/// Checks link moves with one end that follows a result: the shift must neither turn a descent upwards, nor make a move too short to be watched. If one cycle
+/// is above the other, the move across is only the shift, and is not watched.
 pub fn check_ways(whole: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = whole;
     let w = path.frame.w;
@@ -747,7 +746,7 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
         let way = pair[1].to - pair[0].to;
         let far = |tool: bool| far_apart(&only(before, tool), &only(now, tool));
         let along = way.dot(w);
-        // What is turned as a whole is as long as before.
+        // A move that is rotated as a whole keeps its length.
         let member = path.member_of_move(index + 1).unwrap_or(0);
         if path.members[member].placing.turn().is_some()
             && path.members[member].moves.contains(&index)
@@ -800,7 +799,7 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
     }
 }
 
-/// The same path, each place elsewhere; `by` is asked for a place at a move, and for where the path begins. A touch may be turned with it.
+/// The path with every position shifted. `by` is called for a position of a move, and for the start of the path. A touch may be rotated with it.
 fn moved(path: &Path, by: impl Fn(Option<usize>, Vec3) -> Vec3) -> Path {
     let mut path = path.clone();
     path.start = path.start.map(|start| start + by(None, start));

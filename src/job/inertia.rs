@@ -1,4 +1,4 @@
-//! Whether the axes stop in time after a contact, and whether a touch reaches its feed before it.
+//! Checks whether the axes stop in time after a contact, and whether a touch reaches its feed before it.
 
 use crate::control::{Form, Request};
 use crate::form::Checker;
@@ -7,19 +7,19 @@ use crate::job::Job;
 use crate::path::{Feed, Move, Path, Purpose};
 use crate::text::text;
 
-/// Holds every touch and every watched move against what the machine needs to stop and to reach its feed.
+/// Checks every touch and every watched move against the stopping and run-up distances of the machine.
 pub fn report_inertia(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     report_touches(job, request, checker);
     report_starts(job, request, checker);
     report_positioning(job, request, checker);
 }
 
-/// Whether the touches run at the feed that the job says: a native cycle has its own measuring feed, but 1411 takes F.
+/// Whether the touches run at the feed of the job: a native cycle has its own measuring feed, but 1411 takes F.
 fn feed_is_known(job: &Job, path: &Path) -> bool {
     job.form == Form::Moves || path.feeds.is_some()
 }
 
-/// A touch at a feed from which the axes do not stop before the stylus breaks.
+/// Reports a feed of touches at which the axes stop too late for the stylus.
 fn report_touches(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     let (machine, path, feed) = (job.machine, request.path, request.feeds.work);
     let way = machine.stopping_way(feed);
@@ -36,7 +36,7 @@ fn report_touches(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     checker.error("stops-too-late", field_of(path, Feed::Work), message);
 }
 
-/// A touch that is still accelerating at its nominal contact: the probe is calibrated at the full feed.
+/// Reports a touch that is still accelerating at its nominal contact: the probe is calibrated at the full feed.
 fn report_starts(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     let (machine, path, feed) = (job.machine, request.path, request.feeds.work);
     if !feed_is_known(job, path) {
@@ -62,7 +62,7 @@ fn report_starts(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     checker.warning("not-at-feed", field_of(path, Feed::Work), message);
 }
 
-/// Watched positioning so fast that a contact breaks the stylus all the same: one finding a feed.
+/// Reports watched positioning at a feed at which a contact breaks the stylus: one finding for each feed.
 fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     if !job.post.watches || !job.protected {
         return;
@@ -74,7 +74,7 @@ fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
             continue;
         };
         let (way, field) = (machine.stopping_way(rate), field_of(path, step.feed));
-        // What is said of the touches is said of every move at their feed.
+        // A finding about the touches covers every move at their feed.
         if way <= machine.deflection || checker.has_at("stops-too-late", field) {
             continue;
         }
@@ -89,7 +89,7 @@ fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// The feed of a positioning move that the program itself makes, mm/min. In a native cycle it makes the approach and the return.
+/// Feed of a positioning move that the program itself makes, mm/min. With native cycles it makes the approach and the return.
 fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
     let made = job.form == Form::Moves || matches!(step.feed, Feed::Approach | Feed::Return);
     (made && step.purpose == Purpose::Position)
@@ -97,7 +97,7 @@ fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Mov
         .flatten()
 }
 
-/// The path of the job's field that says a feed.
+/// Path of the job field with a feed.
 fn field_of(path: &Path, feed: Feed) -> &'static str {
     match (path.feeds.is_some() && path.own.is_none(), feed) {
         (true, Feed::Work) => "cycle.probe.feed",
@@ -111,7 +111,7 @@ fn field_of(path: &Path, feed: Feed) -> &'static str {
     }
 }
 
-/// A feed as it may be typed: two significant digits, and never more than it is.
+/// A feed to be typed: two significant digits, rounded down.
 fn rounded_down(checker: &Checker, feed: f64) -> String {
     let own = feed / checker.scale;
     let step = 10f64.powi(own.log10().floor() as i32 - 1);

@@ -1,4 +1,4 @@
-//! What is said of a result: implausible, good, out of tolerance.
+//! Verdicts of results: implausible, good, out of tolerance.
 
 use crate::control::Form;
 use crate::form::Checker;
@@ -10,12 +10,12 @@ use crate::num::{decimal, tidy, wrap_degrees};
 use crate::path::{Guard, Off, Path};
 use crate::text::{Text, text};
 
-/// Judges results by their tolerances and limits. Gives the questions of the program that they do not hold: implausible ones first.
+/// Judges results by their tolerances and limits. Returns the failed checks of the program, implausible ones first.
 pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
     by_tolerances(path, rows);
     let mut off = path.formula.questions(&job.limits);
     off.retain(|question| {
-        // A cycle may have added rows behind those of the formula.
+        // A cycle may have added rows after those of the formula.
         let row = rows.get_mut(question.result);
         let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value)))
         else {
@@ -29,7 +29,7 @@ pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Que
     off
 }
 
-/// Results that are out of a tolerance on which the program acts, run on the virtual part.
+/// Reports results on the virtual part that are out of a tolerance with an action.
 fn report_tolerances(
     job: &Job,
     rows: &[formula::ResultRow],
@@ -84,7 +84,7 @@ fn report_tolerances(
     }
 }
 
-/// What a native cycle stops for on the virtual part, in its order; `None` if it goes on.
+/// Alarm of a native cycle on the virtual part, in its order of checks; `None` if it continues.
 fn stops_for(
     path: &Path,
     triggers: &[Option<Vec3>],
@@ -101,7 +101,7 @@ fn stops_for(
             checker.length(tidy(x))
         }
     };
-    // Each cycle of a set-up is judged on its own.
+    // Each cycle of a set-up is judged separately.
     let own = path.own.iter().filter(|_| path.members.is_empty());
     own.flat_map(|own| &own.guards).find_map(
         |Guard {
@@ -152,7 +152,7 @@ fn stops_for(
     )
 }
 
-/// By how much a wall of two touches is turned, degrees.
+/// Rotation of a wall with two touches, degrees.
 fn wall_turn(path: &Path, triggers: &[Option<Vec3>], group: usize) -> Option<f64> {
     let of: Vec<usize> = (0..path.touches.len())
         .filter(|k| path.touches[*k].group == group)
@@ -167,7 +167,7 @@ fn wall_turn(path: &Path, triggers: &[Option<Vec3>], group: usize) -> Option<f64
     ))
 }
 
-/// What the program, run on the virtual part, makes of results that are implausible or out of tolerance. `off` is what [`judge`] gave.
+/// Reports the reaction of the program on the virtual part to results that are implausible or out of tolerance. `off` comes from [`judge`].
 pub fn report_judged(
     planned: &Planned,
     rows: &[formula::ResultRow],
@@ -240,7 +240,7 @@ pub fn report_judged(
     checker.warning("implausible", field, message);
 }
 
-/// Judges results by their tolerances, with twice their uncertainty as guard band: what is that near to a limit is not known to be on its side of it.
+/// Judges results by their tolerances, with a guard band of twice their uncertainty: closer to a limit it is unknown on which side of it a value is.
 fn by_tolerances(path: &Path, rows: &mut [formula::ResultRow]) {
     for (row, def) in rows.iter_mut().zip(&path.formula.results) {
         let Some(Tolerance {
@@ -258,7 +258,7 @@ fn by_tolerances(path: &Path, rows: &mut [formula::ResultRow]) {
 }
 
 fn verdict(value: f64, [low, high]: [f64; 2], band: f64) -> Text {
-    // How far the value is within the nearer limit.
+    // Distance of the value inside the nearer limit.
     let within = (value - low).min(high - value) + ON_LIMIT;
     match (within >= 0.0, within.abs() >= band + ON_LIMIT) {
         (true, true) => text!("good"),

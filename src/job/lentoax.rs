@@ -1,4 +1,4 @@
-//! Reads a LENTOAX query: the same checks as a job's, every problem at once.
+//! Reads a LENTOAX query with the checks of a job: every problem is reported together.
 
 use crate::form::{Checker, Choice, Code, Field, Section, Value, form, printable};
 use crate::geom::{AXIS_NAMES, Plane};
@@ -6,9 +6,9 @@ use crate::job::JobError;
 use crate::text::{text, words};
 use crate::tool_length::{Axis, Query, Step};
 
-/// The most frame steps a query may have.
+/// Largest number of frame steps in a query.
 pub const MOST_STEPS: usize = 50;
-/// The angle of a step, as a field.
+/// Angle of a step, as a field.
 pub const STEP_ANGLE: Field = Field::angle("angle", "Angle", 0.0).range(-360_000.0, 360_000.0);
 
 const PLANES: &[Choice] = &[
@@ -41,7 +41,7 @@ pub const LENGTH_TYPE: &[Code] = &[
 ];
 
 form! {
-    /// A query, but for its frame.
+    /// A query without its frame.
     pub struct QueryForm {
         /// The active plane.
         plane: String = Field::choice("plane", "Plane", PLANES),
@@ -60,7 +60,7 @@ form! {
     }
 }
 
-/// The query of a loose value; an absent one is the standard case.
+/// The query in a loose value; an absent value is the standard case.
 pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
     let mut checker = Checker::default();
     checker.whole = words!("the query");

@@ -1,4 +1,4 @@
-//! What follows from what a machine really measured.
+//! Results from values measured on a real machine.
 
 use serde::Serialize;
 
@@ -14,20 +14,20 @@ use crate::part::{self, Expected, Stand};
 use crate::path::Path;
 use crate::text::{Text, text};
 
-/// What follows from measured values. Lengths in the job's units, angles in degrees.
+/// Results from measured values. Lengths in the job's units, angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measurement {
-    /// As a plan has them, from what was measured: `truth` is null.
+    /// Results as in a plan, from measured values: `truth` is null.
     pub results: Vec<ResultRow>,
-    /// The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches.
+    /// Ball centre at each touch, in the work coordinate system; null without a contact. Empty if the text gives results instead of touches.
     pub points: Vec<Option<Triple>>,
     /// On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if nothing has to be typed; a finding gives the reason.
     pub block: Option<String>,
-    /// How the values were read, and what is missing: warnings and notes.
+    /// Warnings and notes about the reading of the values, and about missing ones.
     pub findings: Vec<Finding>,
 }
 
-/// What was measured of a job that is planned. What the `checker` has found of the job goes out with errors only.
+/// Results of a planned job. Findings of the `checker` about the job are returned with errors only.
 pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurement, JobError> {
     let Planned { job, path, .. } = planned;
     let mut own = Checker::in_units(job.scale, job.unit);
@@ -60,8 +60,8 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
     })
 }
 
-/// The results of the touches, or of what a control computed, and whether all of them are plausible.
-/// `path` has the formula, which of a cycle that follows an angle is turned as the points say.
+/// Results from touches, or those that a control computed, and whether all of them are plausible. `path` has the formula; for a cycle that follows a direction
+/// it is rotated by the points.
 fn evaluated(
     planned: &Planned,
     path: &Path,
@@ -100,7 +100,7 @@ fn evaluated(
     (results, plausible)
 }
 
-/// The ball centres of a text, to be drawn: each with its touch, in the job's units. None if it cannot be read, or gives results.
+/// Ball centres of a text for the picture: each with its touch, in the job's units. Empty if the text cannot be read, or gives results.
 #[cfg(target_arch = "wasm32")]
 pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
     let Planned { job, path, .. } = planned;
@@ -129,7 +129,7 @@ fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
     }
 }
 
-/// The block to type, where the control's program cannot write a work offset and the log says enough; else why there is none.
+/// The block to type, if the control's program cannot write a work offset and the log is sufficient; else the reason why there is none.
 fn block(
     planned: &Planned,
     points: &[Option<Vec3>],

@@ -1,4 +1,4 @@
-//! Whether a form can show a job: its sections and lists must be what they are, while a single value may still be wrong.
+//! Whether a form can show a job: sections and lists must have the right type, while single values may be wrong.
 
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
@@ -11,7 +11,7 @@ const SINGLE: &str = words!("a single value");
 const OBJECT: &str = words!("an object");
 const LIST: &str = words!("a list");
 
-/// Why the form cannot show a job, as a sentence that names the path; `None` if it can.
+/// Reason why the form cannot show a job, as a sentence with the path; `None` if it can.
 pub fn misfit(job: &Value) -> Option<Text> {
     if !matches!(job, Value::Map(_)) {
         return Some(text!("The job must be an object"));
@@ -126,12 +126,12 @@ fn leaves(place: &Value, prefix: &str, fields: &[Field]) -> Option<Text> {
     })
 }
 
-/// Left out, or null: the default is taken. What did not come over fits everywhere: the check says what is wrong with it.
+/// Whether a value is missing or null, so that the default applies. A value that could not be passed fits everywhere: the check reports it.
 fn is_out(value: Option<&Value>) -> bool {
     matches!(value, None | Some(Value::Null | Value::Other(_)))
 }
 
-/// So does the last of thousands of touches, of which a part came over.
+/// Whether a value is a scalar. A truncated last entry of a long list counts as one.
 fn is_scalar(value: &Value) -> bool {
     !matches!(value, Value::List(_) | Value::Map(_))
 }

@@ -51,7 +51,7 @@ pub use rows::{
 pub use sections::{FORMAT, Units};
 pub use units::convert_units;
 
-/// Where a picture is looked at from.
+/// Viewing direction of a picture.
 pub use crate::view::scene::Projection;
 
 pub(crate) use cycles::{
@@ -82,23 +82,23 @@ pub(crate) use stretch::{NumberField, with_number};
 pub(crate) use units::known_units;
 pub(crate) use wear::WEAR;
 
-/// What `npm run bench` times, and what the fuzzer asks. Nothing of it is promised.
+/// For `npm run bench` and the fuzzer. Not part of the stable interface.
 #[doc(hidden)]
 pub use examine::{reads_alike, stages};
 
 use crate::form::{Checker, Finding, Value};
 
-/// The longest text that is read, in UTF-16 units. A longer one is refused: half of a program would be another.
+/// Longest text that is read, in UTF-16 units. Longer texts are refused: a truncated program is a different program.
 pub const LONGEST_TEXT: usize = 2_000_000;
 
-/// The longest program whose moves are read, likewise.
+/// Longest program whose moves are read, in UTF-16 units.
 pub const LONGEST_PROGRAM: usize = 20_000_000;
 
-/// A job that no plan can be made of, with every finding.
+/// A job without a plan, with all its findings.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("{}", first_error(.findings))]
 pub struct JobError {
-    /// Everything found, errors and the rest.
+    /// All findings: errors and the rest.
     pub findings: Vec<Finding>,
 }
 
@@ -114,7 +114,7 @@ fn first_error(findings: &[Finding]) -> String {
     }
 }
 
-/// Everything that is wrong, unusual or worth knowing about a job.
+/// All findings of a job: errors, warnings and notes.
 pub fn check(value: &Value) -> Vec<Finding> {
     match plan_with_path(value) {
         Ok((_, plan)) => plan.findings,
@@ -129,15 +129,15 @@ pub fn plan(value: &Value) -> Result<Plan, JobError> {
     Ok(plan)
 }
 
-/// The results from what a machine really measured: those of [`measure`], and nothing beside them.
+/// Results from values measured on a real machine: those of [`measure`], without its other answers.
 pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobError> {
     measure(value, measured).map(|measurement| measurement.results)
 }
 
-/// What follows from what a machine really measured: a list of ball centres `[X, Y, Z]`, one a touch, in the job's units; or a text. A text has
-/// - a point a line, X, Y, Z, or LinuxCNC's PROBEOPEN log;
-/// - or results as programs print them, `center.x=1.2345` a line;
-/// - or the log of a sender with grbl's `[PRB:…]`, and what says the work offset.
+/// Results from values measured on a real machine: a list of ball centres `[X, Y, Z]`, one for each touch, in the job's units; or a text. A text contains
+/// - one point a line, X, Y, Z, or LinuxCNC's PROBEOPEN log;
+/// - or results as programs print them, one `center.x=1.2345` a line;
+/// - or the log of a sender with grbl's `[PRB:…]`, and the work offset.
 pub fn measure(value: &Value, measured: &Value) -> Result<Measurement, JobError> {
     let mut checker = Checker::default();
     let Some(planned) = plan::read(&mut checker, value) else {

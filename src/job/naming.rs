@@ -5,11 +5,11 @@ use crate::form::{Field, Kind, Value};
 use crate::num::decimal;
 use crate::tolerance;
 
-/// Decimals of a size in a name. Three at most: four digits at the end could be read as the number of a program.
+/// Decimals of a size in a name. At most three: four digits at the end could be read as the number of a program.
 const DECIMALS: usize = 3;
 
-/// What a job measures, with its main sizes in its own units: `BORE-D25`, `POCKET-80X50`, `CORNER-90`; without sizes where one of them is no number.
-/// Capitals, digits, `-` and `_` alone: every control takes it as it is. A job of no known cycle is `PROBE`.
+/// Name by the measured feature, with its main sizes in the job's units: `BORE-D25`, `POCKET-80X50`, `CORNER-90`; without sizes if one of them is not a number.
+/// It consists of capitals, digits, `-` and `_`, which every control accepts. A job without a known cycle is `PROBE`.
 pub fn job_name(job: &Value) -> String {
     if let Some(Value::List(cycles)) = job.get("cycles") {
         return format!("SETUP-{}", cycles.len());
@@ -36,7 +36,7 @@ pub fn job_name(job: &Value) -> String {
     }
 }
 
-/// A size as a name has it: `D12_5`, `80`.
+/// A size in a name: `D12_5`, `80`.
 fn size(field: &Field, value: Option<&Value>) -> Option<String> {
     let size = match value? {
         Value::Number(x) => *x,

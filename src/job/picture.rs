@@ -1,4 +1,4 @@
-//! What is drawn of a planned job: its scene, and what is written in it.
+//! The picture of a planned job: its scene and the texts in it.
 
 use crate::form::{Seen, Value};
 use crate::geom::Vec3;
@@ -9,31 +9,31 @@ use crate::path::ONE_LEVEL;
 use crate::view::scene::{self, Actual, Projection, Scene};
 use crate::view::{self, Legend};
 
-/// A scene of a job, with the words in it.
+/// A scene of a job with its texts.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// The walls, the path, the touches, the dimensions.
+    /// Walls, path, touches, dimensions.
     pub scene: Scene,
-    /// What each dimension and angle is called, by its field's path: the form's label, and the value in the job's units.
+    /// Name of each dimension and angle, by the path of its field: the form's label, and the value in the job's units.
     pub names: Vec<(&'static str, String)>,
-    /// The name of the work offset; empty where none is written.
+    /// Name of the work offset; empty if none is written.
     #[cfg_attr(
         not(target_arch = "wasm32"),
         allow(dead_code, reason = "the canvas shows it")
     )]
     pub offset: String,
-    /// Whether the virtual part lies other than the drawing says: else its walls are the nominal ones.
+    /// Whether the virtual part deviates; otherwise its walls are the nominal ones.
     pub deviates: bool,
 }
 
 impl Planned {
-    /// The cycle in hand, by its place in the list: of a job of one cycle, that one.
+    /// The active cycle, by its index in the list; the job itself if it has one cycle.
     pub fn in_hand(&self, hand: usize) -> &Planned {
         self.members.get(hand).unwrap_or(self)
     }
 
-    /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is. Of a
-    /// set-up all cycles are drawn, the one in hand with its dimensions, the others pale; all are in hand where `hand` is none.
+    /// The job, its path and its run on the virtual part, from one viewing direction. Deviations are drawn `magnify` times as large. In a set-up all cycles are
+    /// drawn, the active one (`hand`) with its dimensions, the others pale; without `hand` all are active.
     pub fn picture(&self, view: Projection, magnify: f64, hand: Option<usize>) -> Picture {
         let Planned {
             job,
@@ -78,7 +78,7 @@ impl Planned {
         }
     }
 
-    /// The scene of one cycle.
+    /// Scene of one cycle.
     fn scene(&self, view: Projection, magnify: f64) -> Scene {
         let Planned {
             job,
@@ -120,14 +120,14 @@ impl Planned {
             .then_some(stock)
     }
 
-    /// Whether a view shows a field's dimension or angle in true size, or the place, height or turn that it gives.
+    /// Whether a view shows a field's dimension or angle in true size, or the position, height or rotation that it gives.
     #[cfg_attr(
         not(target_arch = "wasm32"),
         allow(dead_code, reason = "the page looks for the view")
     )]
     pub fn shows(&self, field: &str, view: Projection) -> bool {
         let (path, plane) = (&self.path, self.job.setup.plane);
-        // Of a point `cycle.origin[0]` and so on.
+        // For a point `cycle.origin[0]` and so on.
         let (whole, axis) = field
             .strip_suffix(']')
             .and_then(|field| field.split_once('['))
@@ -153,8 +153,7 @@ impl Planned {
                 .any(|angle| angle.field == field)
     }
 
-    /// What each dimension and angle is called, by its field's path: its label, the form's where `label` has no other, and its value in the job's
-    /// units.
+    /// Name of each dimension and angle, by the path of its field: the label from `label` or the form's, and the value in the job's units.
     pub fn names<'l>(
         &self,
         scene: &Scene,
@@ -192,7 +191,7 @@ impl Planned {
     }
 }
 
-/// The picture of a job as an SVG. A job that has no plan has no picture to hand out.
+/// The picture of a job as an SVG. A job without a plan has no picture.
 pub fn svg(value: &Value, view: Projection) -> Result<String, JobError> {
     let (planned, _) = plan_with_path(value)?;
     let picture = planned.picture(view, 1.0, None);

@@ -1,4 +1,4 @@
-//! From a checked job to a whole plan, and back into the job's units.
+//! Makes the plan of a checked job, and converts it to the job's units.
 
 use std::cell::OnceCell;
 
@@ -54,10 +54,10 @@ fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<Planned> {
     (!checker.failed()).then_some(planned)
 }
 
-/// Values that are given, and that a program for this control, or of this form, does not use.
+/// Reports given values that a program for this control, or of this form, does not use.
 fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
     let post = job.post;
-    // A program number has a finding of its own.
+    // The program number has a separate finding.
     let of_control = post
         .unused
         .iter()
@@ -95,7 +95,7 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
     }
 }
 
-/// Whether the control takes a job in this form.
+/// Whether the control supports a job in this form.
 fn is_taken_in(value: &Value, form: Form) -> bool {
     let mut value = value.clone();
     let form = Value::Map(vec![(
@@ -109,9 +109,9 @@ fn is_taken_in(value: &Value, form: Form) -> bool {
     })
 }
 
-/// Checks of the whole path, the same for every cycle.
+/// Checks of the whole path that apply to every cycle.
 fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
-    // The first touch of a point speaks for those that repeat it.
+    // The first touch of a point stands for its repetitions.
     for (k, fault) in path
         .touch_faults(job.setup.radius)
         .into_iter()
@@ -155,10 +155,10 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     job.cycle.review(&job.setup, path, checker);
 }
 
-/// As exactly as this a part is taken to lie, mm.
+/// Usual displacement of a part, mm.
 const NEAR: f64 = 0.5;
 
-/// A touch that begins close to its nominal contact: on a part displaced by that much, the move before it makes contact.
+/// Reports a touch that begins close to its nominal contact: on a part displaced by that much, the move before it makes contact.
 fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
     // A touch scatters by six sigma at most.
     let least = NEAR.max(6.0 * job.repeatability);
@@ -188,7 +188,7 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
     checker.warning("touch-close", picked(job, path, k), message);
 }
 
-/// The place in the job that says where a touch is: its pick, or the cycle.
+/// Path of the value that gives a touch: its pick, or the cycle.
 fn picked(job: &Job, path: &Path, k: usize) -> String {
     if path.picked {
         format!("cycle.touches[{}]", k / job.times())
@@ -197,7 +197,7 @@ fn picked(job: &Job, path: &Path, k: usize) -> String {
     }
 }
 
-/// A positioning move that passes the drawn part closely: on a part displaced by that much, it makes contact.
+/// Reports a positioning move that passes close to the nominal part: on a part displaced by that much, it makes contact.
 fn report_passes(job: &Job, path: &Path, checker: &mut Checker) {
     let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, NEAR - 1e-9)
     else {
@@ -211,7 +211,7 @@ fn report_passes(job: &Job, path: &Path, checker: &mut Checker) {
     checker.warning("passes-close", "cycle", message);
 }
 
-/// What the safety rules say of what the job asks for, and the rest of the findings does not.
+/// Reports safety rules that the job's own settings break, if no other finding does.
 fn report_rules(job: &Job, verdicts: &[Verdict], checker: &mut Checker) {
     let broken = |rule: &str| {
         verdicts
@@ -231,7 +231,7 @@ fn report_rules(job: &Job, verdicts: &[Verdict], checker: &mut Checker) {
     }
 }
 
-/// A rotation that is measured and not written.
+/// Reports a rotation that is measured but not written.
 fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
     let measured = path
         .formula
@@ -252,7 +252,7 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
     }
 }
 
-/// A touch that triggers so near to its start that the program takes it for a probe that is still deflected.
+/// Reports a touch that triggers so close to its start that the program treats the probe as still deflected.
 fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     let near = |k: usize, from: Vec3| {
         let way = (run.triggers[k]? - from).abs();
@@ -284,7 +284,7 @@ fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checke
     );
 }
 
-/// Whose path is shown where native cycles make it, and that an offset is written in parts.
+/// Reports that the shown path is that of native cycles, and that an offset is written in parts.
 fn report_own(path: &Path, checker: &mut Checker) {
     let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else {
         return;
@@ -323,7 +323,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
     }
 }
 
-/// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
+/// Reports a cycle that consists of table rows: its program does not carry out their requests.
 fn report_still(path: &Path, checker: &mut Checker) {
     if matches!(path.feature, Feature::Unmoving) && path.own.is_none() {
         let message = text!(
@@ -333,7 +333,7 @@ fn report_still(path: &Path, checker: &mut Checker) {
     }
 }
 
-/// Reports the values that the control itself has.
+/// Reports fields whose values the control has.
 fn report_predefined(job: &Job, checker: &mut Checker) {
     for (field, label) in job.cycle.set_on_the_control() {
         let what = text!(
@@ -356,8 +356,8 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
     }
 }
 
-/// Results the control will store, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
-/// implausible result keeps the program from writing. `None` if the program stops before it asks.
+/// Results that the control will store on the virtual part. A run with a collision ends before the results: nothing is stored. `writes`: whether an implausible
+/// result keeps the program from writing; `None` if the program stops before its checks.
 fn predicted(
     planned: &Planned,
     writes: Option<bool>,
@@ -379,7 +379,7 @@ fn predicted(
     }
     if run.collision.is_none() && run.halt.is_none() {
         let off = judge(job, path, &mut rows);
-        // Where the program stops before a cycle that follows, it asks nothing more.
+        // If the program stops before a dependent cycle, it makes no further checks.
         if writes.is_some() {
             report_judged(planned, &rows, &off, writes == Some(true), checker);
             wear::report(path, &rows, job.limits.size, checker);
@@ -387,13 +387,13 @@ fn predicted(
         report_at_start(job, path, run, checker);
     } else {
         rows.iter_mut().for_each(unknown);
-        // Their limits are known all the same.
+        // Their limits are known nevertheless.
         judge(job, path, &mut rows);
     }
     rows
 }
 
-/// What is wrong with the path of one cycle, and with what happens on it.
+/// Reports faults of the path of one cycle, and of its run.
 fn report_path(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     report_predefined(job, checker);
@@ -409,7 +409,7 @@ fn report_path(planned: &Planned, checker: &mut Checker) {
     }
 }
 
-/// What the results of one cycle say.
+/// Reports notes about the results of one cycle.
 fn report_results(planned: &Planned, results: &[ResultRow], checker: &mut Checker) {
     report_untrue(&planned.job, results, checker);
     report_uncertain(&planned.job, results, checker);
@@ -458,7 +458,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     set_up::report_crossing(planned, checker);
     stock::report(planned, checker);
     let failed = checker.failed() || own.iter().any(Checker::failed);
-    // Where the program stops in a cycle, or before one, the cycles in front of it have measured.
+    // If the program stops in a cycle, or before one, the earlier cycles have measured.
     let collides = planned
         .run
         .collision
@@ -488,7 +488,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         }
         merged.take(i, checker.findings());
     }
-    // What is said of a cycle need not be said of the whole again.
+    // Each cycle has reported these already; report only what the joined path adds.
     let feeds = path.feeds.unwrap_or(job.feeds);
     let mut whole = Checker::in_units(job.scale, job.unit);
     if !failed {
@@ -529,7 +529,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     Ok(results)
 }
 
-/// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
+/// Makes the plan, without its table. `value` is the given job, `checker` has the findings of the check.
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
     let feeds = path.feeds.unwrap_or(job.feeds);
@@ -619,12 +619,12 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     })
 }
 
-/// A result that the control never comes to store.
+/// Clears a result that the control never stores.
 fn unknown(row: &mut crate::formula::ResultRow) {
     (row.value, row.deviation, row.uncertainty, row.verdict) = (None, None, None, None);
 }
 
-/// Why a program was not handed out, as errors: at most this many.
+/// Reports why a program is refused, with a limited number of errors.
 fn report_refusal(refusal: Refusal, checker: &mut Checker) {
     const MOST: usize = 5;
     match refusal {
@@ -665,7 +665,7 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
     }
 }
 
-/// The plan of a job with the path that it is made of, and without the table, which [`Planned::table`] makes where it is read.
+/// The plan of a job with its path, and without the table, which [`Planned::table`] makes when it is read.
 pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
     let mut checker = Checker::default();
     let Some(planned) = read(&mut checker, value) else {
@@ -677,18 +677,18 @@ pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
     Ok((planned, plan))
 }
 
-/// The path of a job and what happens on the actual part, in mm; none for a job whose form has errors.
+/// The path of a job and its run on the actual part, in mm; `None` for a job with errors.
 pub fn planned(value: &Value) -> Option<Planned> {
     read(&mut Checker::default(), value)
 }
 
-/// Whether the program of a job writes a work offset or a preset, by whatever way.
+/// Whether the program of a job writes a work offset or a preset in any way.
 pub fn writes_any(planned: &Planned) -> bool {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     !request(planned, &feeds, None).writes().is_empty()
 }
 
-/// What a program is to be written for.
+/// Request for the program of a planned job.
 pub(super) fn request<'a>(
     planned: &'a Planned,
     feeds: &'a Feeds,
@@ -722,8 +722,8 @@ pub(super) fn request<'a>(
     }
 }
 
-/// What happens on the part. A collision with the drawn one is an error: its program is good for nothing. One with a virtual part that lies elsewhere
-/// is a warning: the program is that of the drawing, and the part a trial.
+/// Reports events on the part. A collision with the nominal part is an error: its program is useless. A collision with a displaced virtual part is a warning:
+/// the program is correct for the nominal part.
 fn report_run(planned: &Planned, checker: &mut Checker) {
     let Planned {
         job,
@@ -740,7 +740,7 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
     if job.placement.nominal {
         report_stylus(job, path, run, None, checker);
     } else {
-        // A part that lies elsewhere makes no path good that meets the part of the drawing.
+        // A displaced part does not justify a path that collides with the nominal one.
         let nominal = part::run(path, &path.surfaces, &job.setup);
         if let Some(collision) = nominal.collision {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
@@ -758,7 +758,7 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         report_collision(path, collision, &run.triggers, field, checker);
         return;
     }
-    // A macro runs no further than the touch that meets nothing.
+    // A macro stops at the first touch without contact.
     let made = path.moves.iter().filter_map(|step| match step.purpose {
         Purpose::Search(k) => Some((k, run.triggers[k])),
         Purpose::Position | Purpose::Touch(_) | Purpose::Back(_) => None,
@@ -795,8 +795,7 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
     }
 }
 
-/// Says where the ball meets the part though nothing is touched there, and which touches before it met nothing: a control stops at the first
-/// of those.
+/// Reports a collision, and earlier touches without contact: a control stops at the first of those.
 fn report_collision(
     path: &Path,
     (index, center): (usize, Vec3),
@@ -830,7 +829,7 @@ fn report_collision(
     report_missed(path, made.map(|k| (k, triggers[k])), field, checker);
 }
 
-/// Says which touches meet nothing.
+/// Reports touches without contact.
 fn report_missed(
     path: &Path,
     triggers: impl Iterator<Item = (usize, Option<Vec3>)>,
@@ -849,9 +848,9 @@ fn report_missed(
     }
 }
 
-/// A stored result that differs from the truth of the part by more than is harmless.
+/// Reports a stored result that differs from the true value by more than a harmless amount.
 fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
-    /// In mm, and in degrees.
+    /// In mm and in degrees.
     const MISLEADING: f64 = 0.05;
     let off = |row: &ResultRow| {
         let off = row.value? - row.truth?;
@@ -862,7 +861,7 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         .iter()
         .filter_map(|row| Some((row, off(row)?)))
         .collect();
-    // The first of those that are off by most.
+    // The first of the largest errors.
     let worse = |a: &(f64, f64), b: &(f64, f64)| a.0 > b.0;
     let Some((worst, (_, off))) = untrue
         .iter()
@@ -896,12 +895,12 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
     checker.warning("result-untrue", "part", message);
 }
 
-/// A length that scatters by far more than a single touch: touches too near to each other, or too far from what is computed from them.
+/// Reports a length that scatters far more than a single touch: the touches are too close to each other, or too far from the computed point.
 fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
-    /// Times as much as a single touch.
+    /// Factor over the scatter of a single touch.
     const DOUBTFUL: f64 = 20.0;
     let single = job.repeatability / job.scale;
-    // Of the touches alone: the ball's eccentricity is not theirs.
+    // Of the touches only, without the eccentricity of the ball.
     let sigma = |row: &ResultRow| {
         let [whole, runout] = [row.uncertainty, row.uncertainty_runout].map(|x| x.unwrap_or(0.0));
         (whole * whole - runout * runout).max(0.0).sqrt()
@@ -917,7 +916,7 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
     let Some(worst) = worst.filter(|row| single > 0.0 && times(row) > DOUBTFUL) else {
         return;
     };
-    // It is said of the arc already.
+    // The short arc is reported already.
     if checker.has("short-arc") {
         return;
     }
@@ -939,7 +938,7 @@ fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
     (tidy(length / job.scale), tidy(time))
 }
 
-/// How long each move takes, minutes: what the plan's time is the sum of.
+/// Time of each move, minutes; their sum is the plan's time.
 #[cfg(any(test, target_arch = "wasm32"))]
 pub fn minutes(planned: &Planned) -> Vec<f64> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
@@ -949,7 +948,7 @@ pub fn minutes(planned: &Planned) -> Vec<f64> {
         .collect()
 }
 
-/// The way of each move, mm, and its minutes. The way to a first place that is not said from where counts nothing.
+/// Length of each move, mm, and its time, minutes. A first move from an unknown position counts 0.
 fn ways<'a>(job: &'a Job, request: &'a Request<'_>) -> impl Iterator<Item = (f64, f64)> + 'a {
     let mut at = request.path.start;
     request.path.moves.iter().map(move |step| {

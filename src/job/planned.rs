@@ -1,4 +1,4 @@
-//! A checked job with its path, and what happens on the actual part.
+//! A checked job with its path and its run on the actual part.
 
 use std::borrow::Cow;
 
@@ -22,25 +22,25 @@ fn sized_surfaces<'a>(job: &Job, path: &'a Path) -> Cow<'a, [Surface]> {
     }
 }
 
-/// The surfaces of the actual part where it really lies.
+/// Surfaces of the actual part at their displaced positions.
 pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
     part::place(&sized_surfaces(job, path), &job.placement)
 }
 
-/// The path, with the formula as the control computes it.
+/// The path, with the formula that the control computes.
 fn path_of(job: &Job) -> Path {
     let mut path = job.cycle.plan(&job.setup);
     if job.post.computes {
         path.formula = std::mem::take(&mut path.formula).plain();
     }
-    // 1411 is asked for its rotation by a field of its own, and refused.
+    // 1411 has a separate field for its rotation, and is refused.
     if !job.post.rotates && path.feature.two_circles().is_none() {
         path.formula.without_rotation();
     }
     path
 }
 
-/// What a ball meets of these surfaces, as native cycles ask.
+/// First contact of a ball with these surfaces, for native cycles.
 fn meets<'s>(
     surfaces: &'s [Surface],
     up: Vec3,
@@ -57,7 +57,7 @@ fn meets<'s>(
     }
 }
 
-/// The path that native cycles make of a documented one, where a job asks for them; else that one, and why.
+/// Path of native cycles for a documented path, if the job asks for them; otherwise the documented path and the reasons.
 fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
     let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else {
         return (path, Vec::new());
@@ -91,7 +91,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
     }
 }
 
-/// Adds what the cycle says of its touches beyond the formula: of points that are touched several times by their means.
+/// Adds verdicts of the cycle beyond the formula. Repeated touches of a point count by their mean.
 pub fn judge_touches(job: &Job, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
     let times = job.times();
     if times == 1 {
@@ -121,7 +121,7 @@ fn own_run(
         triggers: vec![None; path.touches.len()],
         ..part::Run::default()
     };
-    // A move that the nominal part does not ask for is not part of the path.
+    // A move that does not occur on the nominal part does not belong to the path.
     let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
     for made in &made {
         let step = path
@@ -138,7 +138,7 @@ fn own_run(
             }
         }
     }
-    // A missed touch ends the macro, too; another finding reports it.
+    // A missed touch also ends the macro; another finding reports it.
     if let (Some(alarm), Some(last)) = (alarm, made.last())
         && alarm != Alarm::NotFound
     {
@@ -149,20 +149,20 @@ fn own_run(
     run
 }
 
-/// Where a job's path runs, and what happens on the actual part. Lengths in mm.
+/// A job with its path and its run on the actual part. Lengths in mm.
 #[derive(Debug)]
 pub struct Planned {
     pub job: Job,
     pub path: Path,
-    /// The surfaces of the actual part.
+    /// Surfaces of the actual part.
     pub surfaces: Vec<Surface>,
-    /// The path run on those surfaces.
+    /// Run of the path on those surfaces.
     pub run: part::Run,
-    /// Why native cycles do not take it; empty where they do, or are not asked for.
+    /// Reasons against native cycles; empty if they are possible, or not asked for.
     pub refused: Refused,
-    /// The cycles of a set-up, each as if it were alone; empty where there is one cycle.
+    /// The cycles of a set-up, each planned separately; empty for a single cycle.
     pub members: Vec<Planned>,
-    /// The path of a dry run, which the program makes in the place of this one.
+    /// Path of a dry run, which the program makes instead.
     pub dry: Option<Path>,
 }
 
@@ -172,7 +172,7 @@ impl Planned {
         Self::at(job, None)
     }
 
-    /// The same in a set-up whose cycles go to the next one by themselves, at this height.
+    /// Plans a cycle of a set-up whose native cycles make the link moves, at this height.
     pub fn at(job: Job, clear: Option<f64>) -> Self {
         let (path, refused) = own_path(&job, path_of(&job), clear);
         let path = match &job.repeat {
@@ -234,7 +234,7 @@ impl Planned {
         if !self.members.is_empty() {
             return self.members.iter().enumerate().flat_map(of).collect();
         }
-        // Of the cycle as it is documented, in moves or native, and once for repeated touches. A row names the first touch of its point.
+        // The table of the documented cycle, for moves and native cycles, once for repeated touches. A row names the first touch of its point.
         let times = self.job.times();
         let documented = (self.path.own.is_some() || times > 1).then(|| path_of(&self.job));
         let touches = documented
@@ -253,7 +253,7 @@ impl Planned {
     }
 }
 
-/// How a program of several native cycles is made, or why it is not; none of programs of moves.
+/// Linking of several native cycles in a program, or the reason why there is none; `None` for programs of moves.
 pub fn several(job: &Job) -> Option<Result<Several, &'static str>> {
     let none = Err(words!("{control} has no cycles of its own"));
     (job.form == Form::Cycle).then(|| job.post.own.map_or(none, |own| Ok(own.several)))

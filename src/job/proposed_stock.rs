@@ -9,8 +9,8 @@ use crate::num::tidy;
 use crate::part::{self, Stock};
 use crate::path::{ONE_LEVEL, Path, Surface};
 
-/// A block that fits the features of a job, in its units: flush with the walls that are touched from outside, with a margin around the others, and with its
-/// top at the highest top side. None if nothing is touched, or if the path would hit that block.
+/// A block that fits the features of a job, in its units: flush with walls that are touched from outside, with a margin around the others, and with its top at
+/// the highest top side. `None` if nothing is touched, or if the path would hit that block.
 pub fn proposed_stock(Planned { job, path, .. }: &Planned) -> Option<Value> {
     let stock = fitted(path, job)?;
     let clear = nominal_hit(job, path, &stock).is_none();
@@ -26,16 +26,16 @@ pub fn proposed_stock(Planned { job, path, .. }: &Planned) -> Option<Value> {
     })
 }
 
-/// The least thickness of a block, and the material around and below its features, mm.
+/// Smallest thickness of a block, and margin around and below its features, mm.
 const LEAST: f64 = 20.0;
 const MARGIN: f64 = 10.0;
 
-/// How far a block reaches along a direction.
+/// Extent of a block along a direction.
 struct Reach {
     direction: Vec3,
-    /// The farthest point of a feature.
+    /// Farthest point of a feature.
     far: f64,
-    /// The farthest wall that faces this way and is touched from outside.
+    /// Farthest wall that faces this way and is touched from outside.
     wall: f64,
 }
 
@@ -44,7 +44,7 @@ impl Reach {
         self.far = self.far.max(point.dot(self.direction));
     }
 
-    /// The end of the block: at the wall where nothing lies beyond it.
+    /// End of the block: at the wall, if nothing is beyond it.
     fn end(&self, step: f64) -> f64 {
         if self.wall >= self.far - ONE_LEVEL {
             self.wall
@@ -54,20 +54,20 @@ impl Reach {
     }
 }
 
-/// What a block must hold.
+/// Requirements for a block.
 struct Hull {
     /// To the right, left, back and front.
     reaches: [Reach; 4],
-    /// The highest top side.
+    /// Highest top side.
     top: f64,
-    /// The lowest top that leaves all studs above the block.
+    /// Lowest top that leaves all studs above the block.
     below_studs: f64,
-    /// The highest top side of a feature that is cut into the block.
+    /// Highest top side of a feature that is cut into the block.
     opens: f64,
 }
 
 impl Hull {
-    /// Takes in the features of one cycle.
+    /// Adds the features of one cycle.
     fn take(&mut self, path: &Path, radius: f64) {
         let up = path.frame.w;
         let inside = !part::openings(path, &path.surfaces, radius).is_empty();
@@ -133,7 +133,7 @@ fn fitted(path: &Path, job: &Job) -> Option<Stock> {
         .for_each(|path| hull.take(path, radius));
     let touches = path.touches.iter().map(|touch| touch.point.dot(up));
     let highest = touches.reduce(f64::max)?;
-    // Walls whose top is not known end a margin above their touches.
+    // Walls with an unknown top end a margin above their touches.
     let top = if hull.top.is_finite() {
         hull.top
     } else {

@@ -1,4 +1,4 @@
-//! The relations of a set-up: what is computed of the results of its cycles.
+//! Reads the relations of a set-up: results computed from results of its cycles.
 
 use crate::form::{Checker, Value, printable};
 use crate::formula::{self, Formula, Operand, Relation, RelationDef, ResultDef};
@@ -10,28 +10,28 @@ use crate::num::tidy;
 use crate::path::{Measuring, Path};
 use crate::text::{Text, text};
 
-/// What can be related: the cycles and relations that are known so far, in the formula of all.
+/// Possible operands: the cycles and relations known so far, in the joined formula.
 #[derive(Debug)]
 struct Known<'a> {
     formula: &'a Formula,
     measuring: Vec<Measuring<'a>>,
-    /// Whether the job has one cycle: its name may be left out.
+    /// Whether the job has one cycle, whose name may be left out.
     alone: bool,
 }
 
-/// The relations of a set-up while its cycles are read: each is added to the path once.
+/// The relations of a set-up while its cycles are read. Each is added to the path once.
 #[derive(Debug)]
 pub struct Relations<'v> {
     list: &'v [Value],
     /// The names of all cycles.
     cycles: &'v [String],
     added: Vec<bool>,
-    /// Those that a cycle follows, and those that they are of: they are added as soon as they can be computed.
+    /// Relations that a cycle follows, and their operands: they are added as soon as they can be computed.
     early: Vec<bool>,
 }
 
 impl<'v> Relations<'v> {
-    /// The list of a job, of which cycles follow those with these names. Reports what is no list.
+    /// Reads the list of a job in which cycles follow these names. Reports a value that is not a list.
     pub fn of(
         checker: &mut Checker,
         value: &'v Value,
@@ -78,7 +78,7 @@ impl<'v> Relations<'v> {
         }
     }
 
-    /// Adds the relations that cycles follow, where all that they are of is measured.
+    /// Adds the relations that cycles follow, if all their operands are measured.
     pub fn add_early(&mut self, path: &mut Path) {
         for index in 0..self.list.len() {
             if self.early[index] && self.is_ready(path, index) {
@@ -87,14 +87,14 @@ impl<'v> Relations<'v> {
         }
     }
 
-    /// Adds all that were not added early. Reports what is wrong with them.
+    /// Adds all remaining relations and reports their faults.
     pub fn add_all(&mut self, checker: &mut Checker, path: &mut Path) {
         for index in 0..self.list.len() {
             self.add(checker, path, index);
         }
     }
 
-    /// Says that a program does not compute them.
+    /// Reports that a program does not compute them.
     pub fn report_not_computed(&self, checker: &mut Checker) {
         if !self.list.is_empty() {
             let message = text!(
@@ -104,7 +104,7 @@ impl<'v> Relations<'v> {
         }
     }
 
-    /// The path with every relation that can be computed of its cycles, whether one follows it or not.
+    /// The path with every computable relation, whether a cycle follows it or not.
     pub fn with_all_ready(&self, path: &Path) -> Path {
         let mut path = path.clone();
         let mut all = Relations {
@@ -121,7 +121,7 @@ impl<'v> Relations<'v> {
         path
     }
 
-    /// Why the relation of this name cannot be computed of this path; `None` if there is no such relation.
+    /// Reason why the relation with this name cannot be computed from this path; `None` if there is no such relation.
     pub fn lacks(&self, path: &Path, name: &str) -> Option<Text> {
         let mut own = Checker::default();
         self.read(&mut own, path, named(self.list, name)?);
@@ -177,12 +177,12 @@ fn heads(relation: &Value) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The relation of this name.
+/// The relation with this name.
 fn named(list: &[Value], name: &str) -> Option<usize> {
     list.iter().position(|other| matches!(other.get("name"), Some(Value::Text(own)) if own.eq_ignore_ascii_case(name)))
 }
 
-/// A relation of a list: its name, what it computes, and of what. Reports what is wrong with it.
+/// Reads a relation: name, kind and operands. Reports its faults.
 fn read_one(
     checker: &mut Checker,
     (list, i): (&[Value], usize),
@@ -409,7 +409,7 @@ fn read_operand(
     })
 }
 
-/// Whether the operands give what the relation says.
+/// Checks whether the operands fit the relation.
 fn check_kinds(
     checker: &mut Checker,
     formula: &Formula,
@@ -437,7 +437,7 @@ fn check_kinds(
 }
 
 impl Known<'_> {
-    /// The place that a cycle or an earlier relation measures in the plane.
+    /// The position that a cycle or an earlier relation measures in the plane.
     fn place(&self, name: &str) -> Option<Operand> {
         let own = self
             .measuring
@@ -464,7 +464,7 @@ impl Known<'_> {
             .map(Operand::Result)
     }
 
-    /// Whether a result is a height that a work offset could be written from.
+    /// Whether a result is a height from which a work offset could be written.
     fn is_height(&self, index: usize) -> bool {
         let own = self
             .measuring
@@ -479,7 +479,7 @@ impl Known<'_> {
         all.filter(|index| self.formula.results[*index].variable.is_some())
     }
 
-    /// The names that a place can have.
+    /// Names of all positions.
     fn places(&self) -> Vec<String> {
         let names = self.measuring.iter().map(|own| own.name);
         names
@@ -499,8 +499,8 @@ impl Known<'_> {
     }
 }
 
-/// Relations that have a residual on the nominal part, as a pitch circle whose places are on none: its diameter is of another circle than the drawing's, and
-/// the program always stops there.
+/// Reports relations with a residual on the nominal part, such as a pitch circle whose positions are not on a circle: its diameter differs from the drawing's,
+/// and the program always stops there.
 pub fn check_circles(checker: &mut Checker, whole: &Planned) {
     let (path, Some(limit)) = (&whole.path, whole.job.limits.residual) else {
         return;
@@ -532,7 +532,7 @@ pub fn check_circles(checker: &mut Checker, whole: &Planned) {
     }
 }
 
-/// Adds the rows of all relations to those of the cycles. `evaluated` are the rows of the whole formula.
+/// Adds the rows of all relations to those of the cycles. `evaluated` are the rows of the joined formula.
 pub fn add_rows(
     whole: &Planned,
     mut evaluated: Vec<formula::ResultRow>,
@@ -573,13 +573,13 @@ pub fn add_rows(
                 cycle: whole.members.len() + i,
                 ..result_row(&whole.job, row, None, None)
             };
-            // A direction may be said a whole turn farther.
+            // A control may give a direction a whole turn away.
             let turn = |truth: f64| {
                 row.value.map_or(truth, |value| {
                     truth + ((value - truth) / 360.0).round() * 360.0
                 })
             };
-            // How far true places are from their circle is not what touches are off it.
+            // The distance of true positions from their circle is not the residual of the touches.
             let truth = truth.filter(|_| row.code != "residual");
             row.truth = truth.map(|truth| tidy(if angle { turn(truth) } else { truth }));
             results.push(row);

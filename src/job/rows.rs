@@ -1,4 +1,4 @@
-//! What goes out: a plan as plain rows, in the job's units.
+//! Answers: a plan as plain rows, in the job's units.
 
 use serde::{Serialize, Serializer};
 
@@ -13,77 +13,77 @@ use crate::part;
 use crate::path::{self, Accessor, Feed, Feeds, Path, Purpose};
 use crate::text::{Text, text};
 
-/// X, Y, Z of the work coordinate system: a point in the job's units, or a vector of length one.
+/// X, Y, Z in the work coordinate system: a point in the job's units, or a unit vector.
 pub type Triple = [f64; 3];
 
-/// Everything that follows from a job. Lengths in the job's units, angles in degrees.
+/// The plan of a job. Lengths in the job's units, angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Plan {
-    /// The nominal touches, on the surface.
+    /// Nominal touches, on the surface.
     pub touches: Vec<TouchPoint>,
-    /// The moves, of the ball centre.
+    /// Moves of the ball centre.
     pub moves: Vec<Move>,
-    /// The names of the cycles of a set-up, in their order; empty for a job of one cycle.
+    /// Names of the cycles of a set-up, in order; empty for a job with one cycle.
     pub cycles: Vec<String>,
-    /// The names of the relations of a set-up, in their order.
+    /// Names of the relations of a set-up, in order.
     pub relations: Vec<String>,
-    /// Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle.
+    /// For a set-up, the possible sources of each axis of a work offset and its rotation, and the used ones; empty for a job with one cycle.
     pub datum: Vec<DatumRow>,
-    /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
+    /// Length of the whole path: from the start in the job, else from the end of the first move.
     pub length: f64,
-    /// Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
+    /// Time of the path, minutes. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
     pub time: f64,
-    /// The program, for the control of the job.
+    /// The program for the control of the job.
     pub program: ProgramText,
-    /// The cycle's parameters as its source numbers them.
+    /// Parameters of the cycle with the numbers of its source.
     pub table: Vec<ParameterRow>,
-    /// Results the control will store, for the virtual part.
+    /// Results that the control will store on the virtual part.
     pub results: Vec<ResultRow>,
-    /// Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
+    /// Ball centre at the trigger of each touch on the virtual part; null without a contact within the search.
     pub triggers: Vec<Option<Triple>>,
     /// Warnings and notes; with an error there is no plan.
     pub findings: Vec<Finding>,
-    /// For each safety rule, whether the program keeps it.
+    /// Whether the program keeps each safety rule.
     pub safety: Vec<SafetyRow>,
 }
 
-/// What can be written into an axis of a work offset, or into its rotation.
+/// Sources of an axis of a work offset, or of its rotation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DatumRow {
     /// `x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis.
     pub axis: &'static str,
-    /// The result that is written, `BORE.center.x`, or would be if a work offset were chosen; null where none is.
+    /// Result that is written, `BORE.center.x`, or would be if a work offset were chosen; null if there is none.
     pub from: Option<String>,
-    /// Every result that can be.
+    /// Every possible result.
     pub choices: Vec<String>,
 }
 
-/// Whether the program keeps a safety rule.
+/// Verdict of a safety rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SafetyRow {
     /// The name of the rule.
     pub rule: &'static str,
-    /// Null where this control cannot hold it, or its own cycle answers for it.
+    /// Null if this control cannot guarantee it, or its native cycle is responsible for it.
     pub holds: Option<bool>,
-    /// What the rule asks, what is wrong, or why the control cannot.
+    /// The requirement, the fault, or the reason why the control cannot guarantee it.
     pub message: String,
-    /// The same as a template and its values.
+    /// `message` as a template and its values.
     pub said: Text,
     /// The 0-based lines that break it.
     pub lines: Vec<usize>,
-    /// The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it.
+    /// The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it.
     pub about: Vec<usize>,
 }
 
-/// What was proven of a program of moves: read back, it is the path.
+/// Proof of a program of moves: read back, it is the path.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProofRow {
-    /// How many moves of the path it makes, each where and how it should.
+    /// Number of moves of the path that the program makes, each with the right position, kind and feed.
     pub moves: usize,
-    /// How many of them are touches.
+    /// Number of touches among them.
     pub touches: usize,
-    /// Whether the program computes the results itself, and the right ones.
+    /// Whether the program computes the results, and they are right.
     pub arithmetic: bool,
 }
 
@@ -97,14 +97,14 @@ impl ProofRow {
     }
 }
 
-/// Where the ball is to touch the nominal part.
+/// A touch of the nominal part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TouchPoint {
-    /// The point that is touched, on the surface.
+    /// Touched point, on the surface.
     pub point: Triple,
-    /// Target vector: outward normal of the surface, of length one.
+    /// Target vector: unit outward normal of the surface.
     pub vector: Triple,
-    /// Which wall or circle it is on, from 0.
+    /// Index of the touched surface, from 0.
     pub group: usize,
     /// Index of its cycle in a set-up; 0 for a job of one cycle.
     pub cycle: usize,
@@ -113,28 +113,29 @@ pub struct TouchPoint {
 /// One move of the ball centre.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Move {
-    /// Where it ends; a touch at its nominal contact.
+    /// End of the move; of a touch its nominal contact.
     pub to: Triple,
     /// `approach`, `longLink`, `work`, `retract`, `return` or `rapid`.
     pub feed: &'static str,
     /// `position`, `touch` or `back`.
     pub kind: &'static str,
-    /// Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on.
+    /// Step in the cycle's documented list, from 1; 0 for a link move between two cycles. With native cycles: the line that makes it, counted from that of the
+    /// first move.
     pub step: u8,
-    /// Index of the touch that it makes or comes back from; null for positioning.
+    /// Index of its touch, for touches and retracts; null for positioning.
     pub touch: Option<usize>,
-    /// The arc it runs along; null is a straight line.
+    /// The arc of the move; null is a straight line.
     pub arc: Option<Arc>,
-    /// Index of its cycle in a set-up, or of the one that it leads to; 0 for a job of one cycle.
+    /// Index of its cycle in a set-up, or of the cycle that a link move leads to; 0 for a job with one cycle.
     pub cycle: usize,
 }
 
 /// An arc about the tool axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Arc {
-    /// Its centre, at the height of the move.
+    /// Centre, at the height of the move.
     pub center: Triple,
-    /// Degrees, counter-clockwise positive seen against the tool axis; less than a whole turn.
+    /// Sweep in degrees, counter-clockwise positive seen against the tool axis; less than a whole turn.
     pub sweep: f64,
 }
 
@@ -142,24 +143,24 @@ pub struct Arc {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ProgramText {
-    /// Which control it is for.
+    /// Id of the control.
     pub post: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
-    /// Its lines, each ended by a line feed.
+    /// Lines, each ended by a line feed.
     pub text: String,
-    /// For each move the 0-based line that makes it; −1 where the native cycle makes it.
+    /// The 0-based line of each move; −1 if the native cycle makes it.
     pub move_lines: Vec<i32>,
-    /// What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then
-    /// `basic rotation` or `table offset`. Empty where it measures only.
+    /// Values that the program writes, in its own blocks or by the called cycle. For the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. For the
+    /// active preset: `preset X` …, then `basic rotation` or `table offset`. Empty if it only measures.
     pub writes: Vec<&'static str>,
-    /// What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
+    /// Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
     pub does: String,
-    /// The same as a template and its values.
+    /// `does` as a template and its values.
     pub said: Text,
-    /// What was proven of it; null in the form `cycle`.
+    /// Proof of the program; null in the form `cycle`.
     pub proof: Option<ProofRow>,
-    /// Whether the moves of the plan are those that native cycles make, which the program calls.
+    /// Whether the moves of the plan are those of native cycles that the program calls.
     pub own: bool,
 }
 
@@ -168,19 +169,19 @@ pub struct ProgramText {
 pub struct ParameterRow {
     /// `CmdPrm.Flt[-53]`, or `Q1116` for a HEIDENHAIN cycle.
     pub code: String,
-    /// The type column of the source.
+    /// Entry in the type column of the source.
     #[serde(rename = "type")]
     pub type_name: &'static str,
-    /// The value, lengths in the job's units.
+    /// Value; lengths in the job's units.
     pub value: ParameterValue,
-    /// What it means, in English; `meanings(job)` has it for other languages.
+    /// Meaning in English; `meanings(job)` has it for other languages.
     #[serde(serialize_with = "in_english")]
     pub meaning: Text,
-    /// Path of the job's field it comes from.
+    /// Path of the job field that gives the value.
     pub field: Option<String>,
-    /// Index of the touch it comes from; null if it concerns the whole cycle.
+    /// Index of the touch that gives the value; null if it concerns the whole cycle.
     pub touch: Option<usize>,
-    /// Index of its cycle in a set-up; 0 for a job of one cycle.
+    /// Index of its cycle in a set-up; 0 for a job with one cycle.
     pub cycle: usize,
 }
 
@@ -192,55 +193,55 @@ fn in_english<S: Serializer>(text: &Text, serializer: S) -> Result<S::Ok, S::Err
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum ParameterValue {
-    /// A whole number: a count, a mode or the number of something.
+    /// A whole number: a count, a mode or a number of something.
     Whole(i32),
     /// Yes or no.
     Flag(bool),
-    /// A length in the job's units, an angle in degrees, or a number without a unit.
+    /// A length in the job's units, an angle in degrees, or a plain number.
     Number(f64),
     /// Text, as it was given.
     Text(String),
 }
 
-/// A value that the cycle measures: what the control computes, and what it should be.
+/// A measured value: computed by the control, with its nominal value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ResultRow {
     /// A stable name, one of `RESULT_CODES`: `center.x`.
     pub code: String,
-    /// What the value is, in English.
+    /// Description of the value in English.
     pub meaning: String,
     /// `mm`, `inch` or `deg`; empty for a number without a unit.
     pub unit: &'static str,
-    /// Its value on the nominal part; null where that is not known.
+    /// Value on the nominal part; null if it is unknown.
     pub nominal: Option<f64>,
-    /// What the control computes; null where the triggers cannot give it.
+    /// Value that the control computes; null if the triggers cannot give it.
     pub value: Option<f64>,
-    /// Value less nominal, or less the middle of the tolerance zone.
+    /// Value minus nominal, or minus the middle of the tolerance.
     pub deviation: Option<f64>,
-    /// One sigma of the value: scatter of the touches, and eccentricity of the ball.
+    /// Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball.
     pub uncertainty: Option<f64>,
-    /// How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the
-    /// angle of calibration.
+    /// Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of
+    /// calibration.
     pub uncertainty_runout: Option<f64>,
-    /// Lower and upper limit, where a tolerance is given.
+    /// Lower and upper limit, if there is a tolerance.
     pub limits: Option<[f64; 2]>,
-    /// Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit.
+    /// Good, rework or scrap, if there is a tolerance; implausible beyond the limit.
     pub verdict: Option<String>,
-    /// The true value on the virtual part, where there is one.
+    /// True value on the virtual part, if there is one.
     pub truth: Option<f64>,
-    /// Why the value is not the truth, where it is not.
+    /// Reason why the value differs from the true value, if it does.
     pub note: Option<String>,
-    /// Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it.
+    /// Storage in the control after its native cycles: `#135`. Null for a program of moves, whose header lists it.
     pub stored: Option<String>,
-    /// Index of its cycle in a set-up, or behind all cycles that of its relation; 0 for a job of one cycle.
+    /// Index of its cycle in a set-up, or, after all cycles, of its relation; 0 for a job with one cycle.
     pub cycle: usize,
-    /// Its words as templates and their values.
+    /// Its texts as templates and their values.
     pub said: ResultWords,
 }
 
 impl ResultRow {
-    /// The same where the control never comes to store it.
+    /// The row of a result that the control never stores.
     pub fn without_value(self) -> Self {
         let said = ResultWords {
             verdict: None,
@@ -258,14 +259,14 @@ impl ResultRow {
     }
 }
 
-/// The words of a result, to be put into other languages.
+/// Texts of a result, for translation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResultWords {
-    /// What the value is.
+    /// Description of the value.
     pub meaning: Text,
-    /// Good, rework or scrap, where a tolerance is given.
+    /// Good, rework or scrap, if there is a tolerance.
     pub verdict: Option<Text>,
-    /// Why the value is not the truth, where it is not.
+    /// Reason why the value differs from the true value, if it does.
     pub note: Option<Text>,
 }
 
@@ -282,7 +283,7 @@ impl SafetyRow {
     }
 }
 
-/// Every code that a result may have.
+/// All codes of results.
 #[rustfmt::skip]
 pub const RESULT_CODES: &[&str] = &[
     "center.x", "center.y", "diameter", "residual", "width", "width1", "width2", "rotation", "height",

@@ -1,4 +1,4 @@
-//! The job's own form: everything around the cycle.
+//! The forms of a job around the cycle.
 
 use crate::control::{self, Form, Header, POSTS, PostDef, Report, WRITE_OFFSET};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
@@ -13,16 +13,16 @@ use crate::path::{Feeds, Setup};
 use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
 
-/// The key of a job that holds the tolerances of its results.
+/// Key of a job with the tolerances of its results.
 pub const TOLERANCES: &str = "tolerances";
 
 /// Default size limit, mm.
 pub const USUAL_SIZE: f64 = 0.5;
 
-/// The format this crate writes and reads.
+/// Format that this crate writes and reads.
 pub const FORMAT: f64 = 1.0;
 
-/// The unit of a job's lengths.
+/// Unit of a job's lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
     /// `mm`, the default.
@@ -32,7 +32,7 @@ pub enum Units {
 }
 
 impl Units {
-    /// Its word in the job's field `units`.
+    /// Word in the job's field `units`.
     pub const fn word(self) -> &'static str {
         match self {
             Units::Mm => "mm",
@@ -40,14 +40,14 @@ impl Units {
         }
     }
 
-    /// The units with this word, `mm` or `inch`; none for any other.
+    /// The units with this word, `mm` or `inch`; `None` for any other word.
     pub fn named(word: &str) -> Option<Units> {
         [Units::Mm, Units::Inch]
             .into_iter()
             .find(|units| units.word() == word)
     }
 
-    /// The units of a loose job; mm where it names none.
+    /// Units of a loose job; mm if it gives none.
     pub fn of(job: &Value) -> Units {
         match job.get("units") {
             Some(Value::Text(word)) => Units::named(word).unwrap_or(Units::Mm),
@@ -64,7 +64,7 @@ impl Units {
     }
 }
 
-/// Whether positioning is watched, where the control can.
+/// Whether positioning is watched, if the control can.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Protection {
     Checked,
@@ -166,7 +166,7 @@ const RUNS: &[Choice] = &[
     },
 ];
 
-/// The run that measures, and the one that tries the moves.
+/// The measuring run, and the dry run that tries the moves.
 pub const NORMAL_RUN: &str = "normal";
 const DRY_RUN: &str = "dry";
 
@@ -218,7 +218,7 @@ form! {
 }
 
 form! {
-    /// How far a result may be off its nominal value: beyond that the program raises an alarm and writes nothing.
+    /// Largest deviation of a result from nominal: beyond it the program raises an alarm and writes nothing.
     pub struct LimitsForm {
         /// Largest distance of a measured position from its nominal one, along each axis. Empty: the part may lie anywhere within the search.
         position: Option<f64> = Field::length("position", "Position limit", 2.0).range(0.001, 1000.0).null_by_default().null_means("no limit").group("Feeds and limits"),
@@ -232,7 +232,7 @@ form! {
 }
 
 form! {
-    /// What the machine needs to stop. The defaults are assumptions: moderate values, since neither is known before it is measured.
+    /// Stopping behaviour of the machine. The defaults are moderate assumptions [I]: the values are unknown before they are measured.
     pub struct MachineForm {
         /// How fast an axis slows down after the probe triggers. Hobby machines have 200 to 1000 mm/s², machining centres more.
         acceleration: f64 = Field::acceleration("acceleration", "Acceleration", 500.0).usual(50.0, 20_000.0).group("Program and machine"),
@@ -292,7 +292,7 @@ form! {
 }
 
 form! {
-    /// Which of the probe's lengths acts where, on a control that decides it by plane, tool type, frame and setting data.
+    /// Settings that decide which of the probe's lengths acts where, on a control that decides it by plane, tool type, frame and setting data.
     pub struct ToolForm {
         /// The tool type's number: 710 is a 3D probe; 400 to 599 are turning and grinding tools.
         type_: i32 = Field::count("type", "Tool type", 710, 0, 9999).group("Tool length (SINUMERIK)"),
@@ -306,7 +306,7 @@ form! {
 }
 
 form! {
-    /// How the real part lies.
+    /// Position of the actual part.
     pub struct PartForm {
         /// How far the part is shifted.
         offset: Vec3 = Field::point("offset", "Shift of the part").group("Virtual part"),
@@ -316,7 +316,7 @@ form! {
 }
 
 form! {
-    /// The stock: a block, parallel to the axes, into which the features are cut. Null: not known, and not checked.
+    /// The stock: a block, parallel to the axes, into which the features are cut. Null: unknown, and not checked.
     pub struct StockForm {
         /// Corner of the block with the smallest X, Y and Z.
         origin: Vec3 = Field::point("origin", "Lowest corner").at([-50.0, -50.0, -20.0]).group("Stock"),
@@ -325,7 +325,7 @@ form! {
     }
 }
 
-/// The sections of a job that are plain forms. The key of the job itself is empty.
+/// Sections of a job that are plain forms. The key of the job itself is empty.
 pub const SECTIONS: &[SubForm] = &[
     SubForm::required("", General::FIELDS),
     SubForm::required("stylus", Stylus::FIELDS),
@@ -355,53 +355,53 @@ pub struct Job {
     pub scale: f64,
     /// `mm` or `inch`.
     pub unit: &'static str,
-    /// Plane, ball, overtravel.
+    /// Plane, ball radius, overtravel.
     pub setup: Setup,
-    /// One sigma of a touch, mm.
+    /// Standard deviation of a touch, mm.
     pub repeatability: f64,
-    /// The known dimensions of the stylus above its ball.
+    /// Known dimensions of the stylus above its ball.
     pub shape: Shape,
-    /// How far the ball centre is off the spindle axis, mm; none is not known.
+    /// Eccentricity of the ball from the spindle axis, mm; `None` is unknown.
     pub runout: Option<f64>,
-    /// How far results may be off their nominal values.
+    /// Limits of the deviations of results from nominal.
     pub limits: Limits,
-    /// What the machine needs to stop.
+    /// Stopping behaviour of the machine.
     pub machine: Machine,
     /// Feeds, mm/min.
     pub feeds: Feeds,
-    /// What is known of the cycle's type.
+    /// Definition of the cycle.
     pub def: &'static CycleDef,
     pub cycle: Box<dyn Cycle>,
     /// Sizes that contain a tolerance.
     pub sized: Vec<Sized>,
-    /// How often it touches each point; none once.
+    /// Repeated touches of each point; `None` touches once.
     pub repeat: Option<Repeat>,
     pub post: &'static PostDef,
     pub form: Form,
-    /// Tool number of the probe; none is not called.
+    /// Tool number of the probe; `None` is not called.
     pub tool: Option<i32>,
-    /// Whether positioning is to be watched, where the control can.
+    /// Whether positioning is to be watched, if the control can.
     pub protected: bool,
-    /// Of a dry run by how much its path is lifted, mm.
+    /// Height of a dry run above the path, mm.
     pub dry: Option<f64>,
     pub header: Header,
-    /// The work offset to write, 1 = G54; none measures only.
+    /// Work offset to write, 1 = G54; `None` only measures.
     pub work_offset: Option<i32>,
-    /// The angle that the spindle is turned to, degrees; none is not turned.
+    /// Angle to which the spindle is oriented, degrees; `None` does not orient it.
     pub orient: Option<f64>,
     /// The probe input of the control, from 1.
     pub probe_input: usize,
     pub report: Report,
-    /// The number of the program, where its control has them; none takes that of the name.
+    /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
-    /// What the probe table adds to the set-up clearance of native cycles, mm.
+    /// Clearance that the probe table adds to the set-up clearance of native cycles, mm.
     pub set_up: f64,
-    /// The tools that are corrected, by the codes of the results.
+    /// Corrected tools, by the codes of the results.
     pub wear: Vec<(String, Wear)>,
     pub placement: PartPlacement,
-    /// The block that the features are cut into; none is not known.
+    /// Block that the features are cut into; `None` is unknown.
     pub stock: Option<Stock>,
-    /// The cycle with the actual part's sizes; `None` if they are nominal.
+    /// The cycle in the sizes of the actual part; `None` if they are nominal.
     pub actual: Option<Box<dyn Cycle>>,
 }
 
@@ -440,7 +440,7 @@ impl LimitsForm {
 }
 
 impl MachineForm {
-    /// The latency in seconds.
+    /// The latency is converted to seconds.
     fn machine(&self) -> Machine {
         Machine {
             acceleration: self.acceleration,
@@ -465,7 +465,7 @@ impl FeedForm {
 }
 
 impl Job {
-    /// What makes results uncertain. A spindle that is turned to the angle of calibration has the ball's eccentricity in that.
+    /// Sources of uncertainty. A spindle oriented to the angle of calibration includes the eccentricity in the calibration.
     pub fn scatter(&self) -> Scatter {
         Scatter {
             repeatability: self.repeatability,
@@ -473,14 +473,14 @@ impl Job {
         }
     }
 
-    /// How often each point is touched.
+    /// Number of touches of each point.
     pub fn times(&self) -> usize {
         self.repeat
             .as_ref()
             .map_or(1, |repeat| repeat.times as usize)
     }
 
-    /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
+    /// Reads and checks a job. Reports everything; returns the job only without errors.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
         if !matches!(value, Value::Map(_)) {
             checker.error(
@@ -687,7 +687,7 @@ fn read_format(checker: &mut Checker, value: &Value) {
     }
 }
 
-/// The type of a cycle, its dimensions, and how often it touches.
+/// Definition of a cycle, its dimensions, and its repetitions.
 type Read = (&'static CycleDef, Box<dyn Cycle>, Option<Repeat>);
 
 fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
@@ -834,7 +834,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
     }
 }
 
-/// The job's `tool` section, as the question that LENTOAX answers.
+/// The job's `tool` section as a LENTOAX query.
 fn read_tool(checker: &mut Checker, value: &Value, plane: &str) -> Query {
     let mut section = Section::new(checker, value.get("tool"), "tool");
     section.only(ToolForm::FIELDS, &["frame"]);
@@ -851,7 +851,7 @@ fn read_tool(checker: &mut Checker, value: &Value, plane: &str) -> Query {
     }
 }
 
-/// The first length of the probe must act along the tool axis, away from the part, or the control places the ball elsewhere.
+/// The first length of the probe must act along the tool axis, away from the part, or the control positions the ball elsewhere.
 fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
     if !post.first_length || !checker.is_clean(&["tool", "plane"]) {
         return;
@@ -896,7 +896,7 @@ fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
     }
 }
 
-/// How much a size of the virtual part may differ, as a field.
+/// Range of a size difference of the virtual part, as a field.
 pub fn size_reach(field: &Field) -> Field {
     match field.kind {
         crate::form::Kind::Angle => Field::angle(field.key, field.label, 0.0).range(-10.0, 10.0),
@@ -904,7 +904,8 @@ pub fn size_reach(field: &Field) -> Field {
     }
 }
 
-/// The cycle with the sizes of the actual part; `None` if all sizes are nominal. A size with a tolerance is at the middle of its zone unless `part.sizes` states it.
+/// The cycle in the sizes of the actual part; `None` if all sizes are nominal. A size with a tolerance is at the middle of its tolerance unless `part.sizes`
+/// states it.
 fn read_sizes(
     checker: &mut Checker,
     value: &Value,
@@ -935,7 +936,7 @@ fn read_sizes(
                 .find(|one| one.field.key == field.key)
                 .map(Sized::middle),
         };
-        // A cycle that is in error has no sizes to change.
+        // The sizes of a cycle with errors cannot be changed.
         let Some(delta) = delta.filter(|delta| *delta != 0.0 && checker.is_clean(&["cycle"]))
         else {
             continue;

@@ -1,7 +1,6 @@
-//! A job of several cycles in one program: read, joined to one path, planned. Format 2 of a job.
+//! A job with several cycles in one program: read, joined to one path, planned. Format 2 of a job.
 //!
-//! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
-//! code that checks one.
+//! A set-up is read cycle by cycle, each as a job of its own, and the paths are joined: the code that checks a single cycle checks each of them.
 
 use std::cell::OnceCell;
 
@@ -24,34 +23,35 @@ use crate::path::{
 };
 use crate::text::text;
 
-/// How far below the height between cycles a cycle begins at least that follows a height, mm: longer than the shortest move that can be watched. Ours.
+/// Smallest distance between the clearance plane and the start of a cycle that follows a height, mm: longer than the shortest move that can be watched. Our
+/// choice.
 const SHORTEST_WAY: f64 = 1.0;
 
-/// What a set-up is called in a program.
+/// Definition of a set-up in a program.
 static WHOLE: CycleDef = CycleDef {
     title: "Set-up",
     source: "Touchpath",
     ..crate::cycle::NONE
 };
 
-/// A set-up while its cycles are read, each joined to those before it.
+/// A set-up while its cycles are read, each joined to the earlier ones.
 struct Reading<'v> {
     value: &'v Value,
     cycles: &'v [Value],
     names: &'v [String],
     relations: Relations<'v>,
     merged: Merged<'v>,
-    /// What was found of results that cycles follow.
+    /// Findings about followed results.
     settled: Checker,
     path: Path,
     members: Vec<Planned>,
-    /// The job of the first cycle: control, stylus and limits are those of all.
+    /// Job of the first cycle: control, stylus and limits apply to all cycles.
     first: Option<Job>,
     /// Whether no cycle so far has an error.
     sound: bool,
 }
 
-/// Plans the cycles of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; `None` if anything is an error.
+/// Plans the cycles of a set-up and joins them. Reports refusals of each cycle at its index; `None` if anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let cycles = read_list(checker, value)?;
     let names = names(cycles);
@@ -76,7 +76,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
 }
 
 impl Reading<'_> {
-    /// Reads a cycle, plans it, and joins what it measures to that of those before it.
+    /// Reads a cycle, plans it, and joins its results to the earlier ones.
     fn read_cycle(&mut self, checker: &mut Checker, index: usize) {
         let name = &self.names[index];
         let Some(mut single) = alone(self.value, index) else {
@@ -132,14 +132,14 @@ impl Reading<'_> {
         }
     }
 
-    /// Plans a cycle. Native cycles write as soon as they have measured, so only the last of them may write.
+    /// Plans a cycle. Native cycles write immediately after measuring, so only the last of them may write.
     fn plan(&self, job: Job, index: usize) -> Planned {
         let writes = several(&job).is_some() && index + 1 == self.names.len();
         let work_offset = job.work_offset.filter(|_| writes);
         Planned::of(Job { work_offset, ..job })
     }
 
-    /// The whole of the cycles that were read.
+    /// The joined set-up after reading all cycles.
     fn finish(mut self, checker: &mut Checker) -> Option<Planned> {
         self.merged.give(checker);
         check_sizes(checker, self.value, self.names);
@@ -149,7 +149,7 @@ impl Reading<'_> {
             .into_iter()
             .for_each(|finding| checker.adopt(finding));
         let failed = checker.failed();
-        // What is wrong with relations is said with what is wrong with the rest.
+        // Faults of relations are reported together with the rest.
         if self.sound {
             self.relations.add_all(checker, &mut self.path);
         }
@@ -182,7 +182,7 @@ impl Reading<'_> {
     }
 }
 
-/// The cycles as native cycles of the control. Reports why the control does not take them.
+/// The cycles as native cycles. Reports why the control does not support them.
 fn own_cycles(
     checker: &mut Checker,
     job: &Job,
@@ -222,7 +222,7 @@ fn own_cycles(
     high_enough.then(|| members.into_iter().map(at).collect())
 }
 
-/// Whether the control has variables for everything that the next cycle would empty.
+/// Checks that the control has variables for all results that the next cycle would overwrite.
 fn check_kept(checker: &mut Checker, path: &Path, several: Several) -> Option<()> {
     let own = path.own.iter().flat_map(|own| &own.blocks);
     let kept = own.filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
@@ -239,7 +239,7 @@ fn check_kept(checker: &mut Checker, path: &Path, several: Several) -> Option<()
     Some(())
 }
 
-/// How far the results that cycles follow may be off, by the limits of a job.
+/// Limits of followed results, from the limits of a job.
 fn reaches(job: &Job) -> Reaches {
     let [position, size, angle] =
         [job.limits.position, job.limits.size, job.limits.angle].map(|limit| limit.unwrap_or(0.0));
@@ -340,7 +340,7 @@ fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
     }
 }
 
-/// Sizes of the virtual part of cycles that are not there.
+/// Reports sizes of the virtual part for cycles that do not exist.
 fn check_sizes(checker: &mut Checker, value: &Value, names: &[String]) {
     let Some(Value::Map(sizes)) = value.get("part").and_then(|part| part.get("sizes")) else {
         return;
@@ -367,7 +367,7 @@ fn read_clear(checker: &mut Checker, value: &Value) -> Option<f64> {
     }
 }
 
-/// The heights at which a cycle begins and ends, along the tool axis.
+/// Heights of the start and the end of a cycle, along the tool axis.
 fn ends(path: &Path) -> impl Iterator<Item = f64> {
     let w = path.frame.w;
     let ends = path
@@ -378,7 +378,7 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
     ends.map(move |place| place.dot(w))
 }
 
-/// The whole of these cycles with the ways between them, not run yet. `path` has what they measure.
+/// Joins these cycles with link moves, without running them. `path` has their measurements.
 fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f64>) -> Planned {
     let several = several(&job)
         .and_then(Result::ok)
@@ -394,7 +394,7 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
             }
         }
     }
-    // A way from one cycle to the next has the limit twice where both follow a height, each its own.
+    // If both cycles of a link move follow a height, the limit counts twice.
     let margin = 2.0 * job.limits.position.unwrap_or(0.0) + SHORTEST_WAY;
     let tool = job.setup.plane.axes()[2];
     let mut highest = f64::NEG_INFINITY;
@@ -419,7 +419,7 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
     let own = members.iter().find_map(|planned| planned.path.feeds);
     let feeds = match (several, own) {
         (Some(_), Some(own)) => own,
-        // A cycle with feeds of its own takes those of the job in a set-up, but for its rapid.
+        // In a set-up a cycle with its own feeds uses those of the job, except for its rapid.
         (_, own) => Feeds {
             rapid: own.and_then(|feeds| feeds.rapid),
             ..job.feeds
@@ -447,17 +447,17 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
     }
 }
 
-/// Which part a path is run on.
+/// Part on which a path is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum On {
-    /// That of the drawing.
+    /// The nominal part.
     Nominal,
-    /// The virtual one.
+    /// The virtual part.
     Actual,
 }
 
 impl Planned {
-    /// What happens to a cycle of a set-up on a part.
+    /// Run of a set-up's cycle on a part.
     fn run_on(&self, on: On) -> Run {
         match on {
             On::Nominal if !self.job.placement.nominal => {
@@ -468,7 +468,7 @@ impl Planned {
     }
 }
 
-/// The run of the whole path: each cycle on its own, and every move past the studs and closed bodies of the other features.
+/// Run of the whole path: each cycle separately, and every move against the studs and closed bodies of the other features.
 fn run(whole: &Planned, on: On) -> Run {
     let path = &whole.path;
     let mut all = Run::default();
@@ -497,7 +497,7 @@ fn run(whole: &Planned, on: On) -> Run {
         .find_map(|planned| planned.run.halt)
         .filter(|_| on == On::Actual);
     if let Some((index, _)) = all.collision {
-        // Nothing after it is run.
+        // Later moves are not run.
         for step in &path.moves[index..] {
             if let Purpose::Touch(k) = step.purpose {
                 all.triggers[k] = None;
@@ -507,7 +507,7 @@ fn run(whole: &Planned, on: On) -> Run {
     all
 }
 
-/// The first move that meets the feature of another cycle.
+/// First move that hits the feature of another cycle.
 fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
     let radius = whole.job.setup.radius;
     match on {
@@ -530,7 +530,7 @@ fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
     }
 }
 
-/// What the whole set-up must hold beside its cycles.
+/// Checks of the whole set-up beside its cycles.
 pub fn check(whole: &Planned, checker: &mut Checker) {
     let Planned {
         job, path, members, ..
@@ -559,7 +559,7 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
     report_order(whole, checker);
 }
 
-/// Whether the height between the cycles is at least that of the highest of them.
+/// Checks that the clearance plane is at least as high as the highest cycle.
 fn check_clear(checker: &mut Checker, clear: f64, least: f64) -> bool {
     let low = clear.is_finite() && clear < least - 1e-6;
     if low {
@@ -573,7 +573,7 @@ fn check_clear(checker: &mut Checker, clear: f64, least: f64) -> bool {
     !low
 }
 
-/// A feature whose height hangs on a top side that is measured later.
+/// Reports a feature whose height depends on a top side that is measured later.
 fn report_order(whole: &Planned, checker: &mut Checker) {
     let path = &whole.path;
     let w = path.frame.w;
@@ -597,7 +597,7 @@ fn report_order(whole: &Planned, checker: &mut Checker) {
     checker.info("order-of-cycles", format!("cycles[{top}]"), message);
 }
 
-/// Reports the first move that hits the feature of another cycle: an error on the part of the drawing, a warning on the virtual one.
+/// Reports the first move that hits the feature of another cycle: an error on the nominal part, a warning on the virtual one.
 pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
     let (on, found) = match crossing(whole, On::Nominal) {
         None if !whole.job.placement.nominal => (On::Actual, crossing(whole, On::Actual)),
@@ -630,11 +630,11 @@ pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
     }
 }
 
-/// Findings of single cycles while they become those of a set-up.
+/// Findings of single cycles while they are merged for the set-up.
 #[derive(Debug)]
 pub struct Merged<'n> {
     names: &'n [String],
-    /// Of each finding, the cycles that have it.
+    /// Each finding with the cycles that have it.
     found: Vec<(Finding, Vec<usize>)>,
 }
 
@@ -646,7 +646,7 @@ impl<'n> Merged<'n> {
         }
     }
 
-    /// Takes in what was found of a cycle.
+    /// Adds the findings of a cycle.
     pub fn take(&mut self, cycle: usize, findings: Vec<Finding>) {
         for finding in findings {
             match self.found.iter_mut().find(|(known, _)| *known == finding) {
@@ -688,7 +688,7 @@ impl<'n> Merged<'n> {
     }
 }
 
-/// A finding of the whole program, at its place in a job of several cycles.
+/// A finding about the whole program, at its path in a job with several cycles.
 pub fn of_whole(finding: Finding) -> Finding {
     let path = match finding.path.as_str() {
         "control.workOffset" if finding.code == "rotation-unsupported" => {
@@ -701,7 +701,7 @@ pub fn of_whole(finding: Finding) -> Finding {
     Finding { path, ..finding }
 }
 
-/// The results of a cycle within those of the whole. The whole describes what is written.
+/// Result rows of a cycle within the set-up. The set-up describes the write.
 pub fn rows_of(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
     rows.into_iter()
         .filter(|row| !row.code.starts_with("offset."))

@@ -7,24 +7,24 @@ use crate::tolerance;
 /// A size with its tolerance.
 #[derive(Clone, Debug)]
 pub struct Sized {
-    /// The field of the cycle, and the code of the result.
+    /// Field of the cycle; its key is also the code of the result.
     pub field: &'static Field,
-    /// Text of the job.
+    /// Text in the job.
     pub text: String,
-    /// The nominal size: mm, or degrees.
+    /// Nominal size, mm or degrees.
     pub nominal: f64,
-    /// Smallest and largest size within the tolerance: mm, or degrees.
+    /// Smallest and largest size within the tolerance, mm or degrees.
     pub limits: [f64; 2],
 }
 
 impl Sized {
-    /// Middle of the tolerance zone minus nominal: mm, or degrees.
+    /// Middle of the tolerance minus nominal, mm or degrees.
     pub fn middle(&self) -> f64 {
         f64::midpoint(self.limits[0], self.limits[1]) - self.nominal
     }
 }
 
-/// The sizes of a cycle that contain a tolerance. `scale` is millimetres per unit of the job.
+/// Sizes of a cycle with a tolerance. `scale` is mm in a unit of the job.
 pub fn of(def: &CycleDef, cycle: &Value, scale: f64) -> Vec<Sized> {
     let one = |field: &'static Field| {
         let unit = match field.kind {

@@ -1,4 +1,4 @@
-//! Whether the path stays clear of the stock.
+//! Checks that the path stays clear of the stock.
 
 use crate::form::Checker;
 use crate::job::Job;

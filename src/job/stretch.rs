@@ -1,20 +1,20 @@
-//! A number of a job that is changed by dragging: its value a little larger, and what a drag makes of it.
+//! Changes a number of a job by dragging: a slightly larger value, and the value after a drag.
 
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
 use crate::job::sections::{self, Units};
 
-/// A field of a job that holds a number.
+/// A field of a job with a number.
 #[derive(Clone, Copy, Debug)]
 pub struct NumberField {
     field: &'static Field,
     units: Units,
-    /// What it holds, in the job's units.
+    /// Its value in the job's units.
     pub value: f64,
 }
 
 impl NumberField {
-    /// By its path, such as `cycle.width1`, of a set-up in the cycle in hand; `None` if no field of that path holds a number.
+    /// By its path, such as `cycle.width1`; in a set-up in the active cycle. `None` if no field with that path has a number.
     pub fn of(job: &Value, path: &str, hand: usize) -> Option<Self> {
         let (section, key) = path.split_once('.')?;
         let place = match job.get("cycles") {
@@ -36,7 +36,7 @@ impl NumberField {
         }
     }
 
-    /// How much a trial changes it, in its units.
+    /// Change for a trial, in its units.
     pub fn little(&self) -> f64 {
         let least = match self.units {
             Units::Mm => 0.1,
@@ -45,7 +45,7 @@ impl NumberField {
         (self.value.abs() * 0.01).max(least)
     }
 
-    /// What it becomes by a change: a multiple of the largest power of ten that is finer than a pixel, within the field's range.
+    /// Value after a change: a multiple of the largest power of ten that is finer than a pixel, within the field's range.
     pub fn changed(&self, change: f64, pixels_a_unit: f64) -> f64 {
         let step = 10f64.powf((-pixels_a_unit.log10()).floor());
         let scale = match self.field.kind {
@@ -59,7 +59,7 @@ impl NumberField {
             least,
             range.max / scale,
         );
-        // Without the noise of the last digits.
+        // Without rounding noise.
         (value * 1e6).round() / 1e6
     }
 }

@@ -1,4 +1,4 @@
-//! Whether the shank and the probe body clear the part, and what of that is not known.
+//! Checks whether shank and probe body clear the part, and reports what is unknown.
 
 use crate::form::Checker;
 use crate::job::Job;
@@ -6,7 +6,8 @@ use crate::part::{self, Above, Run, Struck};
 use crate::path::{Path, Purpose, Surface};
 use crate::text::{Text, text};
 
-/// Where the stylus meets the nominal part above its ball, or else the virtual one. `nominal` and `actual` are what happens to the ball on both; the path may run elsewhere on the latter.
+/// Reports a contact of the stylus above its ball with the nominal part, or else with the virtual one. `nominal` and `actual` are the runs of the ball on both;
+/// the path may be shifted on the latter.
 pub fn report_stylus(
     job: &Job,
     path: &Path,
@@ -32,7 +33,7 @@ pub fn report_stylus(
     }
 }
 
-/// Names the move, what meets the part, and what would clear it.
+/// Reports the move, the contacting part, and a remedy.
 fn report_struck(
     job: &Job,
     path: &Path,
@@ -74,7 +75,7 @@ fn report_struck(
     checker.error("shank-collision", field, message);
 }
 
-/// What a move is for, in words.
+/// Purpose of a move, in words.
 pub fn purpose(purpose: Purpose) -> Text {
     match purpose {
         Purpose::Position => text!("positioning"),
@@ -83,7 +84,7 @@ pub fn purpose(purpose: Purpose) -> Text {
     }
 }
 
-/// What is not given, and so is not checked: one note, where the path goes deeper than a ball, or nothing says how deep it goes.
+/// Reports missing dimensions that prevent a check: one note, if the path goes deeper than a ball, or its depth is unknown.
 pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
     let shape = &job.shape;
     let known = shape.length.is_some() && shape.shank.is_some() && shape.body.is_some();
@@ -113,7 +114,7 @@ pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
     checker.info("stylus-not-known", "stylus.length", message);
 }
 
-/// Whether a surface is beside the stylus, and not below it.
+/// Whether a surface is beside the stylus instead of below it.
 fn is_beside(path: &Path, surface: &Surface) -> bool {
     match surface {
         Surface::Flat(wall) => wall.normal.dot(path.frame.w) < 0.999,

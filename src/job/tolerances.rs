@@ -1,4 +1,4 @@
-//! The tolerances of results: `tolerances` of a job, each with what follows from a result that is out of it.
+//! Reads `tolerances` of a job: the tolerance of each result, with the action beyond it.
 
 use crate::control::Form;
 use crate::form::{Checker, Value, printable};
@@ -15,7 +15,7 @@ use crate::tolerance;
 /// Tolerance of a result: an entry of `tolerances`, a size that contains its tolerance, or both. With both, the size gives the tolerance and the entry gives
 /// action and wear correction.
 struct Given<'v> {
-    /// The result of the whole job.
+    /// Index of the result in the joined path.
     index: usize,
     /// Code of the result, as the job writes it.
     key: &'v str,
@@ -26,7 +26,7 @@ struct Given<'v> {
     size: Option<(String, String)>,
 }
 
-/// Reads the tolerances of a job that is planned, and gives each to its result. Reports everything that is wrong with them.
+/// Reads the tolerances of a planned job and adds each to its result. Reports all faults.
 pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
     let entries: &[(String, Value)] = match value.get(TOLERANCES) {
         None | Some(Value::Null) => &[],
@@ -53,7 +53,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
     check_stores(checker, &planned.path.formula, &all);
 }
 
-/// The entries of `tolerances` for results of the job. Reports the others.
+/// Entries of `tolerances` for results of the job. Reports the others.
 fn of_entries<'v>(
     checker: &mut Checker,
     entries: &'v [(String, Value)],
@@ -99,7 +99,7 @@ fn twice(key: &str) -> Text {
     text!("{name} has two tolerances: give it one", printable(key))
 }
 
-/// Adds the sizes that contain a tolerance, each to the entry of its result if there is one.
+/// Adds the sizes with a tolerance, each to the entry of its result if there is one.
 fn add_sizes(checker: &mut Checker, planned: &Planned, all: &mut Vec<Given<'_>>) {
     let several = &planned.path.members;
     let mut add = |cycle: &Planned, first: usize, place: &str| {
@@ -136,7 +136,7 @@ fn add_sizes(checker: &mut Checker, planned: &Planned, all: &mut Vec<Given<'_>>)
     }
 }
 
-/// Offsets that keep the values of a mean: a pair each, which belongs to no tool and to no other mean.
+/// Checks offsets that keep the values of a mean: one pair each, which belongs to no tool and no other mean.
 fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
     let wear_of = |given: &Given<'_>| {
         let wear = formula.results[given.index].tolerance?.wear?;
@@ -169,7 +169,7 @@ fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
     }
 }
 
-/// The result of the whole, and the same of its own cycle.
+/// Adds a tolerance to a result of the joined path, and to that of its cycle.
 fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
     planned.path.formula.results[index].tolerance = Some(tolerance);
     for (member, own) in planned.path.members.iter_mut().zip(&mut planned.members) {
@@ -179,7 +179,7 @@ fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
     }
 }
 
-/// A tolerance of a job; `own` is that of the cycle alone that measures the result. `related`: whether the result is that of a relation.
+/// Reads a tolerance; `own` is the single cycle that measures the result. `related`: whether it is the result of a relation.
 fn one(
     checker: &mut Checker,
     (job, own, path_of_job): (&Job, &Job, &Path),
@@ -254,7 +254,7 @@ fn check_keys(checker: &mut Checker, entry: &Value, at: &str) -> Option<()> {
     Some(())
 }
 
-/// The text of a tolerance, and its path.
+/// Text of a tolerance, and its path.
 fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str, String)> {
     let path = format!("{}.tolerance", given.at);
     match (
@@ -295,7 +295,7 @@ fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str,
     }
 }
 
-/// What the program is to do, where it can.
+/// Action of the program, if it can carry it out.
 fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> Option<Consequence> {
     let action = match given.get("action") {
         None => Consequence::Go,
@@ -346,7 +346,7 @@ fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> O
     Some(action)
 }
 
-/// The limits of a tolerance, mm or degrees.
+/// Limits of a tolerance, mm or degrees.
 fn limits(
     checker: &mut Checker,
     job: &Job,
@@ -368,7 +368,7 @@ fn limits(
     let limits = limits.map(|x| x * unit);
     let [low, high] = limits;
     let away = (low - def.nominal).max(def.nominal - high);
-    // A class may leave the nominal value out; a zone that says its own and lies elsewhere is one of another feature.
+    // A class needs no nominal value; a size in the text that differs from nominal belongs to another feature.
     if says_nominal && away > (high - low).max(job.scale * 1e-9) {
         let shown = |x: f64| {
             if angle {
@@ -388,7 +388,7 @@ fn limits(
     Some(limits)
 }
 
-/// The tool that a tolerance corrects, checked; `None` without one, or with an error. `own` is the job of the cycle that measures the result.
+/// Tool that a tolerance corrects, checked; `None` without one, or with an error. `own` is the job of the cycle that measures the result.
 fn read_wear(
     checker: &mut Checker,
     (own, path): (&Job, &Path),
@@ -430,7 +430,7 @@ fn read_wear(
     Some(found)
 }
 
-/// A macro counts the error of a size from its nominal value: towards that the tool is corrected, and not towards the middle of the zone.
+/// Reports an unsymmetrical tolerance for wear: a macro corrects towards the nominal size, not towards the middle of the tolerance.
 fn check_middle(checker: &mut Checker, [low, high]: [f64; 2], def: &ResultDef, at: &str) {
     let middle = f64::midpoint(low, high);
     if (middle - def.nominal).abs() > 1e-6 {
@@ -445,7 +445,7 @@ fn check_middle(checker: &mut Checker, [low, high]: [f64; 2], def: &ResultDef, a
     }
 }
 
-/// A tolerance that reaches beyond what is plausible: the program would take a good part for a wrong measurement.
+/// Reports a tolerance beyond the plausibility limit: the program would reject a good part as a wrong measurement.
 fn check_limit(
     checker: &mut Checker,
     job: &Job,

@@ -1,4 +1,4 @@
-//! A job in other units: every length and feed converted, values with tolerances too. The geometry stays.
+//! Converts a job to other units: lengths, feeds, and values with tolerances. The geometry stays the same.
 
 use crate::cycle;
 use crate::form::{Field, Finding, Level, Value};
@@ -10,7 +10,7 @@ use crate::job::wear::WEAR;
 use crate::text::text;
 use crate::tolerance;
 
-/// Where a number goes: how much it is multiplied by, and the decimals it keeps.
+/// Target of a conversion: factor and decimals.
 #[derive(Clone, Copy)]
 struct Target {
     factor: f64,
@@ -31,7 +31,7 @@ impl Target {
         }
     }
 
-    /// A number of the job itself. The repeatability of a probe can be 0.00025 mm: what is this small keeps three decimals more.
+    /// A number of the job itself. The repeatability of a probe can be 0.00025 mm: small numbers keep three more decimals.
     fn number(self, x: f64) -> f64 {
         let small = (x * self.factor).abs() < 1e-3;
         self.rounded(
@@ -49,7 +49,7 @@ impl Target {
         self.rounded(x, self.decimals)
     }
 
-    /// Converted, with so many decimals; zero is not negative. What is too large to be converted stays as it is.
+    /// The converted number with `decimals`; zero is not negative. A number that is too large to be converted is unchanged.
     fn rounded(self, x: f64, decimals: i32) -> f64 {
         let step = 10f64.powi(decimals);
         let rounded = (x * self.factor * step).round() / step;
@@ -61,7 +61,7 @@ impl Target {
     }
 }
 
-/// A default that the catalog gives in mm, in `units`.
+/// A default of the catalog, which is in mm, in `units`.
 pub(super) fn default_in(mm: f64, units: Units) -> f64 {
     match units {
         Units::Mm => mm,
@@ -88,8 +88,8 @@ pub(crate) fn known_units(word: &str) -> Result<Units, JobError> {
     })
 }
 
-/// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch (three more below 0.001), angles as they are. The job
-/// may have errors: anything but a number or a text with a tolerance stays as it is. A user's own codes are not converted: their meaning is not known.
+/// The job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch (three more below 0.001), angles unchanged. The job may have
+/// errors: anything but a number or a text with a tolerance is unchanged. Custom codes are not converted, because their meaning is unknown.
 pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     let units = known_units(units)?;
     let mut job = job.clone();
@@ -140,7 +140,7 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     Ok(job)
 }
 
-/// The cycles of a set-up, and what it has beside them, likewise: each as if it were alone.
+/// Converts the cycles of a set-up, each as a single cycle, and the other entries.
 fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
     let mut converted = job.clone();
     if let Some(clear) = converted.get_mut("clear") {
@@ -197,7 +197,7 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
     converted
 }
 
-/// The tolerances of results, but for those of angles.
+/// Tolerances of results, except those of angles.
 fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
     let Some(Value::Map(entries)) = tolerances else {
         return;
@@ -212,7 +212,7 @@ fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
     }
 }
 
-/// The codes of results that are angles, or what they end in.
+/// Codes of results that are angles, or their last parts.
 const ANGLES: [&str; 2] = ["angle", "rotation"];
 
 fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {

@@ -7,7 +7,7 @@ use crate::path::Path;
 use crate::text::{Text, text};
 
 form! {
-    /// How a macro corrects a tool by a size that it measures.
+    /// Correction of a tool by a measured size.
     pub struct WearForm {
         /// The number of its offset.
         tool: Option<i32> = Field::count("tool", "Tool offset", 1, 1, 999).null_by_default(),
@@ -22,14 +22,14 @@ form! {
     }
 }
 
-/// The form inside that of a tolerance.
+/// Form inside that of a tolerance.
 pub const WEAR: SubForm = SubForm {
     key: "wear",
     fields: WearForm::FIELDS,
     optional: true,
 };
 
-/// The tools that the tolerances of a job correct, each with the code of its result. Wrong ones are left out: reading the tolerances reports them.
+/// Tools that the tolerances of a job correct, each with the code of its result. Faulty ones are left out: reading the tolerances reports them.
 pub fn of(tolerances: Option<&Value>, scale: f64) -> Vec<(String, Wear)> {
     let Some(Value::Map(entries)) = tolerances else {
         return Vec::new();
@@ -40,7 +40,7 @@ pub fn of(tolerances: Option<&Value>, scale: f64) -> Vec<(String, Wear)> {
     entries.iter().filter_map(one).collect()
 }
 
-/// The tolerances of a set-up that are those of one of its cycles, by the codes that they have there. The name of an only cycle may be left out.
+/// Tolerances of a set-up that belong to one of its cycles, by their codes in that cycle. The name of an only cycle may be left out.
 pub fn of_cycle(tolerances: Option<&Value>, name: &str, only: bool) -> Value {
     let Some(Value::Map(entries)) = tolerances else {
         return Value::Null;
@@ -56,7 +56,7 @@ pub fn of_cycle(tolerances: Option<&Value>, name: &str, only: bool) -> Value {
     Value::Map(own.collect())
 }
 
-/// The tool that a tolerance corrects, and the findings; `None` without one, or with an error. `at` is the path of the tolerance.
+/// Tool that a tolerance corrects, with findings; `None` without one, or with an error. `at` is the path of the tolerance.
 pub fn read(
     tolerance: &Value,
     at: &str,
@@ -107,7 +107,7 @@ pub fn read(
     (wear, checker.findings())
 }
 
-/// Reports what becomes of each tool offset on the virtual part. A size that is off by `limit` or more stops its macro.
+/// Reports the correction of each tool offset on the virtual part. A size that deviates by `limit` or more stops its macro.
 pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
     for (row, def) in rows.iter().zip(&path.formula.results) {
         let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else {

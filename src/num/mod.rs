@@ -1,4 +1,4 @@
-//! Decimals as controls write them, and tidy numbers for people.
+//! Decimal numbers as controls write them, and tidy numbers for people.
 
 mod read;
 mod whole;
@@ -18,27 +18,27 @@ pub fn decimal(value: f64, places: usize) -> String {
     text
 }
 
-/// The same, written at the end of a text.
+/// Appends a number as [`decimal`] formats it.
 pub fn push_decimal(text: &mut String, value: f64, places: usize) {
     text.push_str(&Digits::of(value, places));
 }
 
-/// A number as text: [`decimal`] without an allocation, since a program is made of thousands.
+/// A formatted number: [`decimal`] without an allocation, since a program has thousands of numbers.
 #[derive(Clone, Debug)]
 pub enum Digits {
-    /// As nearly every number is: the last `len` bytes.
+    /// Almost every number: the last `len` bytes.
     Short {
         /// ASCII.
         bytes: [u8; Digits::MOST],
-        /// How many of the bytes are used, counted from the end.
+        /// Number of used bytes, counted from the end.
         len: u8,
     },
-    /// One that is too long for that, or that only whole numbers round rightly.
+    /// A number that is too long, or that only exact arithmetic rounds correctly.
     Long(Box<str>),
 }
 
 impl Digits {
-    /// A sign, a zero in front of a point, twenty-two decimals, and some room.
+    /// A sign, a zero before the point, twenty-two decimals, and some spare bytes.
     const MOST: usize = 28;
 
     /// Empty: no number yet.
@@ -47,7 +47,7 @@ impl Digits {
         len: 0,
     };
 
-    /// A number with at most so many decimals: see [`decimal`].
+    /// A number with at most `places` decimals: see [`decimal`].
     pub fn of(value: f64, places: usize) -> Self {
         debug_assert!(value.is_finite(), "only checked numbers are written");
         match whole(value, places) {
@@ -56,7 +56,7 @@ impl Digits {
         }
     }
 
-    /// A number with a point after it where it has none.
+    /// Appends a point to a number that has none.
     pub fn pointed(self) -> Self {
         if self.contains('.') {
             return self;
@@ -110,7 +110,7 @@ impl Digits {
     }
 }
 
-/// The same text, however it was made: near a tie that is [`Digits::Long`].
+/// Compares the texts, however they are stored: near a tie the text is [`Digits::Long`].
 impl PartialEq for Digits {
     fn eq(&self, other: &Self) -> bool {
         self.bytes() == other.bytes()
@@ -134,7 +134,7 @@ impl std::fmt::Display for Digits {
     }
 }
 
-/// A whole number at the end of a text; nearly all of them are small.
+/// Appends a whole number to a text; most of them are small.
 pub fn push_count(text: &mut String, number: usize) {
     match number {
         0..10 => text.push((b'0' + number as u8) as char),
@@ -151,28 +151,28 @@ pub fn format_count(number: usize) -> Digits {
     Digits::of_whole(false, number as u64, 0)
 }
 
-/// Powers of ten that are exact.
+/// Exact powers of ten.
 const POWERS: [f64; 23] = [
     1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The size of a number in its last decimals, rounded; `None` if the rounding of the product could decide between two.
+/// Absolute value in units of the last decimal, rounded; `None` if the rounding of the product could decide between two values.
 fn whole(value: f64, places: usize) -> Option<u64> {
     let scaled = value.abs() * POWERS.get(places)?;
-    // The product is off by half of its last binary digit at most: 1.2e-16 of it.
+    // The error of the product is at most half of its last binary digit: a relative 1.2e-16.
     let unsure = 5e-16 * scaled + 1e-12;
-    // Ties are unsure, so both kinds of rounding give the same: this one is a single instruction of WebAssembly.
+    // Ties are unsure, so both kinds of rounding agree: this one is a single instruction of WebAssembly.
     let rounded = scaled.round_ties_even();
     (scaled < 1e15 && 0.5 - (scaled - rounded).abs() > unsure).then_some(rounded as u64)
 }
 
-/// A number in as few digits as read back as the same number; what is very large or very small with an exponent, as the library's `{:?}` does.
+/// Appends a number with as few digits as read back as the same number; very large and very small ones with an exponent, as `{:?}` formats them.
 pub fn push_in_full(text: &mut String, value: f64) {
     push_shortest(text, value, true);
 }
 
-/// The same without exponents, as the library's `{}` does.
+/// A number without exponent and with as few digits as read back, as `{}` formats it.
 pub fn in_full(value: f64) -> String {
     let mut text = String::new();
     push_shortest(&mut text, value, false);
@@ -185,7 +185,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     }
     let size = value.abs();
     let usual = size == 0.0 || (1e-4..1e16).contains(&size);
-    // The numbers of people have a few decimals.
+    // Numbers typed by people have few decimals.
     if usual && size < 1e9 {
         let few = (0..7)
             .map(|places| Digits::of(value, places))
@@ -195,7 +195,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
         }
     }
     text.push_str(if value < 0.0 { "-" } else { "" });
-    // All its digits: what is below one as those after the point.
+    // All its digits: those of a value below one come after the point.
     let places = if usual {
         60
     } else {
@@ -219,7 +219,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     );
 }
 
-/// Digits, the first at a power of ten: with a point where it belongs, or with an exponent.
+/// Digits with the first at a power of ten: with a point, or with an exponent.
 fn placed(digits: &str, power: i32, plain: bool) -> String {
     let (first, rest) = digits.split_at(1);
     let whole = power.max(0) as usize + 1;
@@ -235,7 +235,7 @@ fn placed(digits: &str, power: i32, plain: bool) -> String {
     }
 }
 
-/// The first digits of a number, rounded half up, or always up: one more digit where that carries over.
+/// The first digits of a number, rounded half up or always up; one more digit after a carry.
 fn rounded(digits: &str, count: usize, up: bool) -> String {
     let mut first: Vec<u8> = digits
         .bytes()
@@ -258,7 +258,7 @@ fn rounded(digits: &str, count: usize, up: bool) -> String {
     first.into_iter().map(char::from).collect()
 }
 
-/// A number that is not negative, times ten to a power, as the nearest whole one; ties to even.
+/// A non-negative number times a power of ten, as the nearest integer; ties to even.
 fn scaled(value: f64, power: usize) -> Whole {
     let bits = value.to_bits();
     let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
@@ -272,7 +272,7 @@ fn scaled(value: f64, power: usize) -> Whole {
     whole.without((-exponent).max(0) as usize)
 }
 
-/// What is no number is said, and never a number in its place.
+/// Text of a value that is not finite: never a number in its place.
 fn not_finite(value: f64) -> &'static str {
     if value.is_nan() {
         return "NaN";
@@ -280,7 +280,7 @@ fn not_finite(value: f64) -> &'static str {
     if value > 0.0 { "inf" } else { "-inf" }
 }
 
-/// By whole numbers, which round the exact value.
+/// Formats with big integers, which round the exact value.
 fn exactly(value: f64, places: usize) -> String {
     if !value.is_finite() {
         return not_finite(value).to_owned();
@@ -297,9 +297,9 @@ fn exactly(value: f64, places: usize) -> String {
     format!("{sign}{whole}{point}{fraction}")
 }
 
-/// The same number without the noise of floating point: rounded to 12 decimals, and to zero where it is nothing else.
+/// The number without floating-point noise: rounded to 12 decimals.
 ///
-/// cos 90° is 0, not 6e-17. Numbers beyond 1000 are left as they are.
+/// cos 90° is 0, not 6e-17. Numbers beyond 1000 are unchanged.
 pub fn tidy(value: f64) -> f64 {
     if value.abs() < 1e3 {
         let rounded = (value * 1e12).round() / 1e12;
@@ -309,8 +309,8 @@ pub fn tidy(value: f64) -> f64 {
     }
 }
 
-/// A number, or the nearer bound where it lies outside; `low` is no more than `high`. The library's own carries the printing of numbers with
-/// it, for a panic that cannot be.
+/// A number, or the nearer bound if it is outside; `low` must not exceed `high`. The library's `clamp` would add number formatting to the module, for a panic
+/// that cannot happen.
 pub fn within(x: f64, low: f64, high: f64) -> f64 {
     if x < low {
         low
@@ -331,7 +331,7 @@ pub fn wrap_degrees(angle: f64) -> f64 {
     }
 }
 
-/// A label inside a sentence: `Width 1` becomes `width 1`. What begins with two capitals stays. Labels are ASCII.
+/// A label inside a sentence: `Width 1` becomes `width 1`. A label that begins with two capitals is unchanged. Labels are ASCII.
 pub fn lowered(label: &str) -> String {
     let mut letters = label.chars();
     match (letters.next(), letters.next()) {
@@ -349,7 +349,7 @@ pub fn lowered(label: &str) -> String {
 mod tests {
     use super::*;
 
-    /// A tie is rounded by whole numbers and what is beside it is not; the texts are the same.
+    /// A tie is rounded exactly and its neighbour is not; the texts are equal.
     #[test]
     fn equal_texts_are_equal() {
         let (tie, beside) = (Digits::of(0.0005, 3), Digits::of(0.000_500_000_000_01, 3));
@@ -374,7 +374,7 @@ mod tests {
         assert_eq!(decimal(0.1 + 0.2, 5), "0.3");
     }
 
-    /// Bit for bit what the library writes: near ties, at powers of ten, huge, tiny, and anywhere.
+    /// Compares bit for bit with the library: near ties, at powers of ten, huge, tiny, and random numbers.
     #[test]
     fn decimals_are_those_of_the_library() {
         let library = |value: f64, places: usize| {

@@ -1,10 +1,9 @@
-//! Numbers out of text, rounded exactly, as the standard library does it and without its tables: they alone are 10 kB of WebAssembly that no
-//! compression makes smaller.
+//! Reads numbers from text with exact rounding, like the standard library but without its tables: these are 10 kB of incompressible WebAssembly.
 
 use crate::num::whole::Whole;
 
-/// A decimal number: a sign, digits with a point anywhere, an exponent. Rounded to the nearest, ties to even; what is too large is infinite. None
-/// where the text is anything else: infinities and NaN have no text here.
+/// A decimal number: sign, digits with an optional point, exponent. Rounded to the nearest, ties to even; too large a number is infinite. `None` for any other
+/// text, including infinities and NaN.
 pub fn read(text: &str) -> Option<f64> {
     let (negative, unsigned) = match text.as_bytes() {
         [b'-', rest @ ..] => (true, rest),
@@ -22,7 +21,7 @@ pub fn read(text: &str) -> Option<f64> {
         _ => return None,
     };
     let mut mantissa: u64 = 0;
-    // More than nineteen digits may not fit; leading zeros are none.
+    // More than nineteen digits may not fit; leading zeros do not count.
     let mut significant = 0;
     let mut point = None;
     for (at, digit) in digits.iter().enumerate() {
@@ -58,12 +57,12 @@ pub fn read(text: &str) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
-/// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with at most one point anywhere. `None` if there
-/// are no digits, or the number is infinite. Inlined at every call: a call would cost as much as the digits.
+/// The number at the start of a text, without sign and exponent, and its length in bytes: digits with at most one point. `None` if there are no digits, or the
+/// number is infinite. Inlined: a call would cost as much as the digits.
 #[inline(always)]
 pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
     let mut mantissa = 0u64;
-    // The digits from a place on, and where they end. Too many of them are read again below.
+    // The digits from a position on, and their end. If there are too many, they are read again below.
     let mut run = |from: usize| {
         let mut at = from;
         while let Some(digit) = text
@@ -105,7 +104,7 @@ pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
     }
 }
 
-/// The digits after an E, within what matters.
+/// The digits after an E, within the relevant range.
 fn exponent(text: &[u8]) -> Option<i64> {
     let (negative, digits) = match text {
         [b'-', rest @ ..] => (true, rest),
@@ -121,9 +120,9 @@ fn exponent(text: &[u8]) -> Option<i64> {
     Some(if negative { -size } else { size })
 }
 
-/// Digits with a point anywhere in them, times ten to a power: by whole numbers.
+/// Digits with an optional point, times a power of ten, with big integers.
 fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
-    // What lies beyond these can only say that there is something.
+    // Later digits only matter as being non-zero.
     const MOST: usize = 800;
     let mut digits: Vec<u8> = digits
         .iter()
@@ -149,7 +148,7 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
         .iter()
         .for_each(|digit| whole.times_and(10, u32::from(digit - b'0')));
     (0..exponent).for_each(|_| whole.times_and(10, 0));
-    // So far up that the quotient has more bits than a number: 64 and the 3.33 of each division.
+    // Shifted so far that the quotient has more bits than a double: 64 and the 3.33 of each division.
     let parts = if exponent < 0 {
         (64 + exponent.unsigned_abs() as usize * 107 / 32) / 32 + 1
     } else {
@@ -157,7 +156,7 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     };
     whole.shift(parts);
     let left = (exponent..0).fold(false, |left, _| whole.divide(10) > 0 || left);
-    // The highest bit stands for 2 to this power; a number has 53 bits from there, and none below the 1074th after the point.
+    // The highest bit stands for 2 to this power; a double has 53 bits from there, and none below the 1074th after the point.
     let power = whole.bits() - 1 - parts as i64 * 32;
     let lowest = (power - 52).max(-1074);
     let low = lowest + parts as i64 * 32;
@@ -178,7 +177,7 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
 mod tests {
     use super::{read, read_digits};
 
-    /// Bit for bit what the library reads.
+    /// Compares bit for bit with the library.
     fn same(text: &str) {
         let library = text.parse::<f64>().ok();
         assert_eq!(
@@ -263,7 +262,7 @@ mod tests {
         }
     }
 
-    /// Half-way between two numbers, and a digit off it, in every order of size: where rounding is hard.
+    /// Half-way between two numbers, and one digit off, at all magnitudes: where rounding is hard.
     #[test]
     fn ties_and_their_neighbours() {
         let mut state = 0x2545_F491_4F6C_DD1Du64;
@@ -277,7 +276,7 @@ mod tests {
             let number = f64::from_bits(random() & 0x7FEF_FFFF_FFFF_FFFF);
             same(&format!("{number:e}"));
             same(&format!("{number:?}"));
-            // Exactly between this one and the next: the library prints as many digits as it is asked for.
+            // Exactly between this number and the next: the library prints as many digits as requested.
             let next = f64::from_bits(number.to_bits() + 1);
             if (1e-300..1e300).contains(&number) {
                 let (exact, after) = (format!("{number:.1100}"), format!("{next:.1100}"));

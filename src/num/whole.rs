@@ -1,12 +1,12 @@
-//! Whole numbers of any size, for what must be exact: decimals in and out.
+//! Big integers for exact conversion of decimals.
 
-/// A whole number of any size, its lowest 32 bits first.
+/// A big integer, its lowest 32 bits first.
 pub struct Whole(Vec<u32>);
 
 impl Whole {
     pub const ZERO: Whole = Whole(Vec::new());
 
-    /// A number times two to a power.
+    /// A number times a power of two.
     pub fn of(number: u64, power: usize) -> Self {
         let mut whole = Whole(vec![number as u32, (number >> 32) as u32]);
         (0..power / 16).for_each(|_| whole.times_and(1 << 16, 0));
@@ -14,7 +14,7 @@ impl Whole {
         whole.tidied()
     }
 
-    /// Without zeros at its top.
+    /// Removes leading zeros.
     fn tidied(mut self) -> Self {
         while self.0.last() == Some(&0) {
             self.0.pop();
@@ -22,7 +22,7 @@ impl Whole {
         self
     }
 
-    /// What is left of its lowest bits, rounded to the nearest, ties to even.
+    /// The integer without its lowest bits, rounded to the nearest, ties to even.
     pub fn without(mut self, bits: usize) -> Self {
         let at = bits as i64;
         let up = self.bit(at - 1) && (self.bit(at) || self.bits_above(at - 1).1);
@@ -34,7 +34,7 @@ impl Whole {
         self.tidied()
     }
 
-    /// Its decimal digits; none for zero.
+    /// Decimal digits; empty for zero.
     pub fn digits(mut self) -> String {
         let mut digits = Vec::new();
         while !self.0.is_empty() {
@@ -43,7 +43,7 @@ impl Whole {
         digits.into_iter().rev().map(char::from).collect()
     }
 
-    /// Times a factor, and something more.
+    /// Multiplies by a factor and adds a carry.
     pub fn times_and(&mut self, factor: u32, mut carry: u32) {
         for part in &mut self.0 {
             let product = u64::from(*part) * u64::from(factor) + u64::from(carry);
@@ -54,7 +54,7 @@ impl Whole {
         }
     }
 
-    /// Divides, and gives what is left over.
+    /// Divides and returns the remainder.
     pub fn divide(&mut self, divisor: u32) -> u32 {
         let mut rest = 0u64;
         for part in self.0.iter_mut().rev() {
@@ -70,12 +70,12 @@ impl Whole {
         rest as u32
     }
 
-    /// Up by whole parts of 32 bits.
+    /// Shifts up by whole parts of 32 bits.
     pub fn shift(&mut self, parts: usize) {
         self.0.splice(0..0, std::iter::repeat_n(0, parts));
     }
 
-    /// How many bits it has.
+    /// Number of bits.
     pub fn bits(&self) -> i64 {
         self.0.last().map_or(0, |last| {
             self.0.len() as i64 * 32 - i64::from(last.leading_zeros())
@@ -90,7 +90,7 @@ impl Whole {
         })
     }
 
-    /// The bits from `low` up, and whether any below is set.
+    /// Bits from `low` up, and whether any bit below is set.
     pub fn bits_above(&self, low: i64) -> (u64, bool) {
         let top = (low..self.bits())
             .rev()

@@ -1,35 +1,34 @@
-//! Where a ball that moves in a straight line first meets a part. Exact for flat walls, their edges and corners.
+//! First contact of a ball that moves in a straight line with a part. Exact for flat walls, their edges and corners.
 
 use crate::geom::Vec3;
 use crate::path::{Round, Surface};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// Which part of the way is done, 0 to 1.
+    /// Fraction of the move at the contact, 0 to 1.
     pub fraction: f64,
-    /// The ball centre there.
+    /// Ball centre at the contact.
     pub center: Vec3,
-    /// Index of the surface touched.
+    /// Index of the touched surface.
     pub surface: usize,
-    /// Whether the contact is at an edge, a corner or a rim, not square to its face.
+    /// Whether the contact is at an edge, a corner or a rim instead of a face.
     pub edge: bool,
 }
 
-/// A ball this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
+/// A ball up to this deep in a wall still counts as touching it from outside: rounding, not a collision; mm.
 pub(super) const SKIN: f64 = 1e-7;
 
-/// What a ball can meet. Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind the edge
-/// lies a flat top side.
+/// Obstacles for a ball. Flat walls bound convex bodies; a single wall is unlimited. A wall with a top ends there, with a flat top side behind the edge.
 #[derive(Debug)]
 pub struct Obstacles<'s> {
     up: Vec3,
     bodies: Vec<Body>,
-    /// Each with the index of its surface.
+    /// Round walls with the indices of their surfaces.
     rounds: Vec<(usize, &'s Round)>,
 }
 
 impl<'s> Obstacles<'s> {
-    /// Those that these surfaces make. `up` is the tool axis.
+    /// Obstacles from these surfaces. `up` is the tool axis.
     pub fn of(surfaces: &'s [Surface], up: Vec3) -> Self {
         let round = |(i, surface): (usize, &'s Surface)| match surface {
             Surface::Round(round) => Some((i, round)),
@@ -44,10 +43,10 @@ impl<'s> Obstacles<'s> {
         }
     }
 
-    /// The first contact of a ball (radius in mm, 0 is a point) on its way from `from` to `to`, both ball centres. A ball that moves away from a
-    /// surface it touches does not meet it.
+    /// First contact of a ball (radius in mm, 0 is a point) that moves from `from` to `to`, both ball centres. A ball that moves away from a surface it touches
+    /// has no contact with it.
     ///
-    /// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
+    /// Against round surfaces a move that is neither level nor upright counts as low as its lower end all the way.
     pub fn first_contact(&self, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
         let flat = self
             .bodies
@@ -68,13 +67,13 @@ impl<'s> Obstacles<'s> {
     }
 }
 
-/// The fraction of the way at which the ball meets a hole or a stud. Around a hole there is material as far as its plate reaches;
-/// beyond that nothing is known.
+/// Fraction of the move at which the ball contacts a hole or a stud. There is material around a hole up to the radius of its plate; beyond that nothing is
+/// known.
 fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     let flat = |v: Vec3| v - up * v.dot(up);
     let (start, way) = (flat(from - round.center), flat(to - from));
     let (h0, h1) = ((from - round.center).dot(up), (to - round.center).dot(up));
-    // Distance in front of the wall: from inside a hole, from outside otherwise.
+    // Distance in front of the wall: from inside for a hole, from outside otherwise.
     let inside = round.hole && start.length() <= round.radius + SKIN;
     let front = if inside {
         round.radius - start.length()
@@ -86,14 +85,14 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
             .plate
             .is_some_and(|reach| start.length() < reach - 10.0 * SKIN);
     if material && h0.min(h1) < radius - SKIN {
-        // Over the plate, or in it: the ball touches its top side on the way down.
+        // Above the plate, or in it: the ball touches its top side on the way down.
         return if h0 < radius - SKIN {
             Some(0.0)
         } else {
             (h1 < h0).then(|| crate::num::within((h0 - radius) / (h0 - h1), 0.0, 1.0))
         };
     }
-    // How near the ball's centre may come at a height: below the top its radius, above it less, then as near as it likes.
+    // Smallest distance of the ball centre at a height: the radius below the top, less above it, then none.
     let reach = |h: f64| {
         if h <= 0.0 {
             Some(radius)
@@ -107,7 +106,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
         if front >= radius - SKIN {
             return None;
         }
-        // Over the free side the ball touches the edge, over the material its top side.
+        // On the free side the ball touches the edge, on the material side the top side.
         let free = front > 0.0 && (inside || !round.hole);
         let stop = if free {
             (radius * radius - front * front).sqrt()
@@ -122,7 +121,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     }
     let near = reach(h0.min(h1))?;
     let gap = front - near;
-    // Contact is where |start + t·way| is `limit`: going out of a hole's middle, or coming in from outside.
+    // The contact is where |start + t·way| equals `limit`: outwards in a hole, inwards from outside.
     let limit = if inside {
         round.radius - near
     } else {
@@ -146,23 +145,23 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     (b < 0.0 && root > 2.0 * limit * SKIN * a && (0.0..=1.0).contains(&t)).then_some(t)
 }
 
-/// A convex body: what lies behind all of its faces.
+/// A convex body: the intersection of the half-spaces of its faces.
 #[derive(Debug)]
 pub(super) struct Body {
-    /// Outward normal, its value on the face, and the surface it belongs to.
+    /// Outward normal of each face, distance of its plane, and index of its surface.
     faces: [(Vec3, f64, usize); MOST_FACES],
     count: usize,
 }
 
-/// Four walls, each with the same top, or three of a corner with a top of its own.
+/// Four walls with the same top, or three of a corner with a separate top.
 const MOST_FACES: usize = 8;
 
-/// How far a point is from a body (negative inside), and the outward direction there.
+/// Distance of a point from a body (negative inside), and the outward direction there.
 struct Gap {
     distance: f64,
     direction: Vec3,
     surface: usize,
-    /// Whether the nearest point lies inside a face.
+    /// Whether the nearest point is inside a face.
     face: bool,
 }
 
@@ -197,7 +196,7 @@ impl Body {
         Some(body)
     }
 
-    /// A block that is parallel to the axes, from its lowest to its highest corner, without a lower side: a ball below it has its stylus in the block.
+    /// A block parallel to the axes, from its lowest to its highest corner, without a lower side: a ball below it has its stylus in the block.
     pub(super) fn block([low, high]: [Vec3; 2], up: Vec3) -> Self {
         let mut body = Body {
             faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES],
@@ -223,8 +222,7 @@ impl Body {
         }
     }
 
-    /// What a level plane cuts out of it, as a prism along `up` without ends, and the height at which the body itself ends. `None` if only
-    /// level faces bound it.
+    /// Cross-section at a height, as an unlimited prism along `up`, and the height at which the body ends. `None` if only level faces bound it.
     pub(super) fn cut(&self, up: Vec3, height: f64) -> Option<(Body, Option<f64>)> {
         let mut prism = Body {
             faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES],
@@ -244,8 +242,8 @@ impl Body {
         (prism.count > 0).then_some((prism, top))
     }
 
-    /// Distance from the body. Outside, the nearest point lies on a face, on an edge of two faces, or at a corner of three:
-    /// where the way to it is a combination of their normals with no negative part, and it is behind every other face.
+    /// Distance from the body. Outside, the nearest point is on a face, on an edge of two faces, or at a corner of three: where the direction to the point is a
+    /// combination of their normals without negative parts, and the nearest point is behind every other face.
     fn gap(&self, p: Vec3) -> Gap {
         let faces = &self.faces[..self.count];
         let behind = |q: Vec3| faces.iter().all(|(n, d, _)| n.dot(q) - d <= 1e-9);
@@ -294,7 +292,7 @@ impl Body {
                     if det.abs() < 1e-9 {
                         continue;
                     }
-                    // The corner: where the three planes meet.
+                    // The corner: intersection of the three planes.
                     let corner = (n2.cross(n3) * faces[i].1
                         + n3.cross(n1) * faces[j].1
                         + n1.cross(n2) * faces[k].1)
@@ -320,12 +318,12 @@ impl Body {
         })
     }
 
-    /// The fraction of the way at which a ball meets the body, the surface, and whether it is at an edge. The distance of a point that moves in a straight
-    /// line from a convex body is a convex function of the way, so that Newton's steps from its start never pass the first
-    /// place where it is the radius; on a face the first step is exact.
+    /// Fraction of the move at which a ball contacts the body, index of the surface, and whether it is an edge. The distance of a point that moves in a
+    /// straight line from a convex body is a convex function of the fraction, so Newton's steps from the start never pass the first contact; on a face the
+    /// first step is exact.
     pub(super) fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize, bool)> {
         let way = to - from;
-        // The body lies behind all of its faces: where the plane of one is out of reach, so is the body.
+        // If the plane of one face is out of reach, so is the body.
         let faces = self.faces[..self.count].iter();
         let apart = faces
             .map(|(normal, face, _)| normal.dot(from) - face)
@@ -395,14 +393,14 @@ mod tests {
             Some(10.0)
         );
         assert_eq!(meet(true, 3.0, [0.0, 0.0, -5.0], [6.9, 0.0, -5.0]), None);
-        // At 45° the ball touches when its centre is 3 in front: 7·√2 along the way.
+        // At 45° the ball touches with its centre 3 in front: 7·√2 along the move.
         let diagonal = meet(false, 3.0, [0.0, 0.0, 0.0], [20.0, 20.0, 0.0]).unwrap();
         assert!((diagonal - 7.0 * 2f64.sqrt()).abs() < 1e-12);
     }
 
     #[test]
     fn above_the_top_the_edge_counts_and_then_nothing() {
-        // 1.8 above the edge a ball of 3 meets it 2.4 in front of the wall (3-4-5).
+        // 1.8 above the edge a ball of radius 3 touches it 2.4 in front of the wall (3-4-5).
         let met = meet(true, 3.0, [0.0, 0.0, 1.8], [20.0, 0.0, 1.8]).unwrap();
         assert!((met - 7.6).abs() < 1e-12);
         assert_eq!(meet(true, 3.0, [0.0, 0.0, 3.0], [20.0, 0.0, 3.0]), None);
@@ -466,7 +464,7 @@ mod tests {
 
     #[test]
     fn a_block_is_met_at_faces_edges_and_corners() {
-        // A face, and nothing beside the block: what lies behind one wall only is free.
+        // A face, and nothing beside the block: a point behind one wall only is free.
         assert_eq!(
             block(3.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]),
             Some((17.0, 0))
@@ -480,16 +478,16 @@ mod tests {
             block(3.0, [10.0, 10.0, 30.0], [10.0, 10.0, -5.0]).map(|m| m.0),
             Some(27.0)
         );
-        // The upright edge at (20, 20): passing 1.8 outside of one wall, the ball touches it 2.4 before the other (3-4-5).
+        // The upright edge at (20, 20): 1.8 outside of one wall, the ball touches it 2.4 before the other (3-4-5).
         let (far, _) = block(3.0, [40.0, 21.8, -5.0], [-10.0, 21.8, -5.0]).unwrap();
         assert!((far - (20.0 - 2.4)).abs() < 1e-9, "{far}");
-        // The top corner at (20, 20, 0): 1 beside, 2 above and 2 before it is 3 away (1-2-2-3).
+        // The top corner at (20, 20, 0): 1 beside, 2 above and 2 before it is at distance 3 (1-2-2-3).
         let (far, _) = block(3.0, [40.0, 21.0, 2.0], [-10.0, 21.0, 2.0]).unwrap();
         assert!((far - (20.0 - 2.0)).abs() < 1e-9, "{far}");
-        // Past the corner at a distance of more than the radius there is no contact; grazing is passing.
+        // Past the corner at a distance above the radius there is no contact; grazing is none.
         assert_eq!(block(3.0, [40.0, 22.5, 2.5], [-10.0, 22.5, 2.5]), None);
         assert_eq!(block(3.0, [40.0, 23.0, -5.0], [-10.0, 23.0, -5.0]), None);
-        // A point stylus meets the face itself; a ball inside has met it at once.
+        // A point stylus touches the face itself; a ball inside has contact immediately.
         assert_eq!(
             block(0.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]),
             Some((20.0, 0))
@@ -500,13 +498,13 @@ mod tests {
         );
     }
 
-    /// A way that ends a micrometre behind its contact meets it, and one that ends as much before does not, along a face's normal, askew to it, and
-    /// towards an edge: the contacts are by hand, as above.
+    /// A move that ends a micrometre past its contact has contact, and one that ends as much before has none: along a face's normal, askew to it, and towards
+    /// an edge. The contacts are by hand, as above.
     #[test]
     fn the_last_of_a_way_counts() {
         let ways = [
             ([40.0, 10.0, -5.0], [-1.0, 0.0, 0.0], 17.0),
-            // 3-4-5: the face is 17 away, and a way with 4 parts in 5 towards it is longer.
+            // 3-4-5: the face is 17 away, and a move with 4 parts in 5 towards it is longer.
             ([40.0, 0.0, -5.0], [-0.8, 0.6, 0.0], 17.0 / 0.8),
             ([10.0, 10.0, 1000.0], [0.0, 0.0, -1.0], 997.0),
             ([40.0, 21.8, -5.0], [-1.0, 0.0, 0.0], 17.6),
@@ -578,7 +576,7 @@ mod tests {
     #[test]
     fn a_stud_is_met_from_outside() {
         assert_eq!(round(false, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.0));
-        // Past it at a distance of 13 is free; at 12 there is contact where 13² = 12² + 5².
+        // At a distance of 13 it passes; at 12 there is contact at 13² = 12² + 5².
         assert_eq!(round(false, [-20.0, 13.0, -5.0], [20.0, 13.0, -5.0]), None);
         assert_eq!(
             round(false, [-20.0, 12.0, -5.0], [20.0, 12.0, -5.0]),
@@ -593,7 +591,7 @@ mod tests {
             round(false, [13.0, 0.0, -5.0], [12.0, 0.0, -5.0]),
             Some(0.0)
         );
-        // Over it, 1.8 above its edge, a ball of 3 touches 2.4 before the edge; over the top it is free.
+        // 1.8 above its edge a ball of radius 3 touches 2.4 before the edge; above the top it passes.
         let met = round(false, [20.0, 0.0, 1.8], [0.0, 0.0, 1.8]).unwrap();
         assert!((met - 7.6).abs() < 1e-12);
         assert_eq!(round(false, [20.0, 0.0, 3.0], [-20.0, 0.0, 3.0]), None);

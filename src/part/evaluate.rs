@@ -1,4 +1,4 @@
-//! What the control makes of the triggers: values, deviations, uncertainties.
+//! Results of the control from the triggers: values, deviations, uncertainties.
 
 use crate::formula::{Dual, Formula, ResultRow, Role, Unit, Variable};
 use crate::geom::{Plane, Vec3};
@@ -7,16 +7,16 @@ use crate::part::PartPlacement;
 use crate::path::Path;
 use crate::text::{Text, text};
 
-/// What makes results uncertain.
+/// Sources of uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scatter {
-    /// One sigma of each touch along its probing direction, mm.
+    /// Standard deviation of each touch along its probing direction, mm.
     pub repeatability: f64,
-    /// How far the ball centre is off the spindle axis, mm: at an unknown angle, the same for all touches of a program. None does not count.
+    /// Eccentricity of the ball from the spindle axis, mm: at an unknown angle, the same for all touches of a program. `None` is ignored.
     pub runout: Option<f64>,
 }
 
-/// The results for ball centres at these triggers.
+/// Results for ball centres at these triggers.
 pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec<ResultRow> {
     let samples = samples(path, triggers);
     let values = values(path, &samples);
@@ -28,7 +28,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
                 .variable
                 .map(|v| &values[v.index()])
                 .filter(|d| d.value.is_finite());
-            // On a good part these are nothing, and no derivative says how they grow.
+            // They vanish on a good part, and no derivative describes their growth.
             let spread = dual.filter(|_| !matches!(def.role, Role::Residual | Role::Spread));
             let runout = spread
                 .zip(scatter.runout)
@@ -58,11 +58,11 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
         .collect()
 }
 
-/// One sigma of a result for a ball centre 1 mm off the spindle axis, at any angle with the same likelihood. With the ball at an angle φ, the
-/// machine is off by (cos φ, sin φ) at every contact: a touch along v comes v·(cos φ, sin φ) off. All touches share the angle, so their
-/// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
+/// Standard deviation of a result for a ball centre 1 mm off the spindle axis, with all angles equally likely. With the ball at an angle φ, the machine is off
+/// by (cos φ, sin φ) at every contact: a touch along v is off by v·(cos φ, sin φ). All touches share the angle, so their contributions add up before they are
+/// squared: the variance is half the sum of the squares along both axes of the plane.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
-    // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.
+    // The derivative is by the scatter of a mean; the eccentricity shifts all its touches equally.
     let slopes = result
         .by_samples()
         .flat_map(|(first, by_touch)| samples.iter().skip(first).zip(by_touch));
@@ -78,8 +78,7 @@ fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     tidy(along(path.frame.u).hypot(along(path.frame.v)) / std::f64::consts::SQRT_2)
 }
 
-/// The results that a control computed: `values` of the formula's results, mm or degrees, with the uncertainty that the touches have on the
-/// nominal part.
+/// Results that a control computed: `values` of the formula's results, mm or degrees, with the uncertainty of the touches on the nominal part.
 pub fn stated(
     path: &Path,
     radius: f64,
@@ -101,7 +100,7 @@ pub fn stated(
     rows
 }
 
-/// What was measured of the point that a work offset is corrected by: abscissa, ordinate and tool axis, mm; `None` if nothing was.
+/// Measured coordinates of the point that corrects a work offset: abscissa, ordinate and tool axis, mm; `None` if not measured.
 pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
     let Some(datum) = &path.formula.datum else {
         return [None; 3];
@@ -112,7 +111,7 @@ pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
     datum.place.map(|place| place?.measured.and_then(of))
 }
 
-/// The values of all assignments, mm or degrees; no number where a touch that it needs met nothing.
+/// Values of all assignments, mm or degrees; NaN if a necessary touch made no contact.
 pub fn numbers(path: &Path, triggers: &[Option<Vec3>]) -> Vec<f64> {
     values(path, &samples(path, triggers))
         .into_iter()
@@ -120,10 +119,10 @@ pub fn numbers(path: &Path, triggers: &[Option<Vec3>]) -> Vec<f64> {
         .collect()
 }
 
-/// The value of every assignment of the formula.
+/// Value of every assignment of the formula.
 fn values(path: &Path, samples: &[Sample]) -> Vec<Dual> {
     let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
-    // A sample of n touches scatters by 1/√n of one.
+    // The mean of n touches scatters by 1/√n of a single touch.
     let directions: Vec<Vec3> = samples
         .iter()
         .map(|s| s.direction / (s.count as f64).sqrt())
@@ -131,14 +130,14 @@ fn values(path: &Path, samples: &[Sample]) -> Vec<Dual> {
     path.formula.evaluate(&points, &directions)
 }
 
-/// One point of the formula.
+/// One sample of the formula.
 struct Sample {
     point: Option<Vec3>,
     direction: Vec3,
     count: usize,
 }
 
-/// The means of the touches of each sample; none if one of them is missing.
+/// Means of the touches of each sample; `None` if a touch is missing.
 fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
     for (touch, trigger) in path.touches.iter().zip(triggers) {
@@ -159,8 +158,8 @@ fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
     samples
 }
 
-/// Adds to each row what is true of the actual part. `actual` is the formula of the resized feature in its nominal place,
-/// so that its nominal values only have to be moved with the part.
+/// Adds the true values of the actual part to the rows. `actual` is the formula of the resized feature at its nominal position, so that its nominal values only
+/// have to be moved with the part.
 pub fn add_truth(
     rows: &mut [ResultRow],
     actual: &Formula,
@@ -186,7 +185,7 @@ pub fn add_truth(
             }
             Role::Ordinate => point[o],
             Role::Size | Role::Angle => def.nominal,
-            // A direction may be said a whole turn farther: as the control says it.
+            // A control may give a direction a whole turn away.
             Role::Direction => {
                 let truth = wrap_degrees(def.nominal + placement.turn);
                 row.value.map_or(truth, |value| {
@@ -209,7 +208,7 @@ pub fn add_truth(
     }
 }
 
-/// Rows for the shift of the work offset that the program would write: what was measured less what is nominal.
+/// Adds rows for the shift of the work offset that the program would write: measured minus nominal.
 pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, name: &str) {
     let Some(datum) = formula.datum.as_ref().filter(|datum| !datum.in_results) else {
         return;

@@ -1,37 +1,37 @@
-//! A machine has inertia: the way from a contact to standstill, and from standstill to a feed.
+//! Inertia of a machine: distances from a contact to standstill, and from standstill to a feed.
 //!
-//! At a constant acceleration a, v²/2a each. Real decelerations take longer: axes follow late, and controls limit the jerk.
+//! Each is v²/2a at a constant acceleration a. Real decelerations take longer: axes follow late, and controls limit the jerk.
 
-/// What a machine needs to stop after a contact.
+/// Stopping behaviour of a machine after a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Machine {
-    /// How fast an axis slows down, mm/s².
+    /// Deceleration of an axis, mm/s².
     pub acceleration: f64,
-    /// From the contact until it begins to, seconds.
+    /// Delay from the contact to the start of the deceleration, seconds.
     pub latency: f64,
-    /// Travel that the stylus takes past contact, mm.
+    /// Stylus deflection limit, mm.
     pub deflection: f64,
 }
 
 impl Machine {
-    /// From the contact to standstill at a feed (mm/min), mm: v·t + v²/2a.
+    /// Distance from the contact to standstill at a feed (mm/min), mm: v·t + v²/2a.
     pub fn stopping_way(&self, feed: f64) -> f64 {
         feed / 60.0 * self.latency + self.run_up(feed)
     }
 
-    /// From standstill until a feed (mm/min) is reached, mm: v²/2a.
+    /// Distance from standstill until a feed (mm/min) is reached, mm: v²/2a.
     pub fn run_up(&self, feed: f64) -> f64 {
         let v = feed / 60.0;
         v * v / (2.0 * self.acceleration)
     }
 
-    /// The fastest feed, mm/min, at which the axes stop within what the stylus takes: v²/2a + v·t = d, solved for v.
+    /// Fastest feed, mm/min, at which the axes stop within the stylus deflection limit: v²/2a + v·t = d, solved for v.
     pub fn fastest_stop(&self) -> f64 {
         let (t, d) = (self.latency, self.deflection);
         60.0 * 2.0 * d / (t + (t * t + 2.0 * d / self.acceleration).sqrt())
     }
 
-    /// The fastest feed, mm/min, that is reached on a way (mm).
+    /// Fastest feed, mm/min, that is reached within a distance (mm).
     pub fn fastest_reached(&self, way: f64) -> f64 {
         60.0 * (2.0 * self.acceleration * way).sqrt()
     }
@@ -66,7 +66,7 @@ mod tests {
         near(at_once.fastest_reached(0.1), 600.0);
     }
 
-    /// The stopping way at the fastest feed is the deflection itself, and the run-up to the fastest feed that is reached is the way.
+    /// The stopping distance at the fastest feed is the deflection limit, and the run-up to the fastest reached feed is the given distance.
     #[test]
     fn the_fastest_feeds_undo_the_ways() {
         for acceleration in [1.0, 50.0, 500.0, 20_000.0, 1e6] {

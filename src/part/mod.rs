@@ -1,4 +1,4 @@
-//! The virtual part: where each touch of a path triggers on a part that lies a little off, and what that does to the moves.
+//! The virtual part: trigger of each touch on a displaced part, and the consequences for the moves.
 
 mod contact;
 mod evaluate;
@@ -17,42 +17,40 @@ pub use stylus::{Above, Shape, Struck, struck};
 use crate::geom::{Rigid, Vec3};
 use crate::path::{Member, Path, Purpose, Round, Setup, Surface, WAY, Wall};
 
-/// A contact so far past the end of a search still counts, mm: both are rounded.
+/// A contact this far past the end of a search still counts, mm: both are rounded.
 const ROUNDING: f64 = 2e-7;
 
-/// How the real part lies.
+/// Position of the actual part.
 #[derive(Clone, Debug)]
 pub struct PartPlacement {
-    /// The turn and shift of the part.
+    /// Rotation and shift of the part.
     pub rigid: Rigid,
-    /// The same turn in degrees, counter-clockwise seen against the tool axis.
+    /// The rotation in degrees, counter-clockwise seen against the tool axis.
     pub turn: f64,
-    /// Whether it is the nominal part in its nominal place.
+    /// Whether it is the nominal part at its nominal position.
     pub nominal: bool,
-    /// Whether the job states a displacement or a size. A size with a tolerance is at the middle of its zone without being stated.
+    /// Whether the job states a displacement or a size. A size with a tolerance is at the middle of its tolerance without being stated.
     pub stated: bool,
 }
 
-/// What happened when the path was run on the actual part.
+/// Result of running a path on the actual part.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
-    /// Ball centre at the trigger of each touch; `None` if the part was not met in time.
+    /// Ball centre at the trigger of each touch; `None` without a contact within the search.
     pub triggers: Vec<Option<Vec3>>,
-    /// Touches that meet another surface than theirs first, and which one.
+    /// Touches that contact another surface first, with its index.
     pub strays: Vec<(usize, usize)>,
-    /// Touches that meet an edge, a corner or a rim of the part: where they trigger says little of their wall.
+    /// Touches that contact an edge, a corner or a rim: their trigger says little about their wall.
     pub edges: Vec<usize>,
-    /// The first move that is not a touch and yet meets the part: its index, and where the ball centre is then. The machine
-    /// stops there, or breaks; nothing after it is run.
+    /// First move with an unexpected contact: index, and ball centre at the contact. The machine stops there, or breaks; later moves are not run.
     pub collision: Option<(usize, Vec3)>,
-    /// Before which cycle of a set-up the program stops, because this result is off by more than its limit: by their places in the list of cycles and of
-    /// results. What comes after it is not reached.
+    /// Cycle before which the program stops because a result exceeds its limit: indices of the cycle and of the result. Later cycles are not reached.
     pub halt: Option<(usize, usize)>,
-    /// The path as it ran, where results of earlier cycles put it elsewhere.
+    /// The path as it ran, if results of earlier cycles shift it.
     pub ran: Option<Box<Path>>,
 }
 
-/// The surfaces of the actual part: `surfaces` of the resized feature, where they really lie.
+/// Surfaces of the actual part: `surfaces` of the resized feature at their displaced positions.
 pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
     surfaces
         .iter()
@@ -72,8 +70,8 @@ pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
         .collect()
 }
 
-/// The positioning move that passes the part nearest, and at what distance, mm; `None` if none comes `within` that much of it. The path must run clear
-/// of the part.
+/// The positioning move that passes closest to the part, and its distance, mm; `None` if no move comes `within` that distance. The path must run clear of the
+/// part.
 pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Option<(usize, f64)> {
     let obstacles = Obstacles::of(surfaces, path.frame.w);
     let nearer_than = |gap: f64| {
@@ -106,7 +104,7 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
     Some((found, near))
 }
 
-/// At which fraction of a straight way the ball makes contact with these surfaces; `None` if it makes none. `up` is the tool axis.
+/// Fraction of a straight move at which the ball contacts these surfaces; `None` without a contact. `up` is the tool axis.
 pub fn first_contact(
     surfaces: &[Surface],
     up: Vec3,
@@ -119,8 +117,8 @@ pub fn first_contact(
         .map(|contact| contact.fraction)
 }
 
-/// The first move of a set-up on which the ball meets something of another cycle, and where its centre is then. `meets` is asked for each straight way, with the
-/// cycle that the way belongs to; the way from one cycle to the next belongs to none.
+/// First move of a set-up on which the ball contacts another cycle's feature, and the ball centre there. `meets` is called for each straight move, with the
+/// cycle of the move; a link move belongs to none.
 fn first_meeting(
     path: &Path,
     mut meets: impl FnMut(Option<usize>, Vec3, Vec3) -> Option<Vec3>,
@@ -138,16 +136,16 @@ fn first_meeting(
     })
 }
 
-/// The first move of a set-up that goes through what another cycle touches, and where. The path is that of the nominal part.
+/// First move of a set-up through a contact point of another cycle, and the position. The path is that of the nominal part.
 pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
-    // A ball that touches the same wall at the same place is as near as its radius, but for what is rounded.
+    // A ball that touches the same wall at the same point is at a distance of its radius, apart from rounding.
     let within = (radius - 1e-3).max(radius / 2.0);
     let touched = |member: &Member| {
         path.touches[member.touches.clone()]
             .iter()
             .map(|touch| touch.point)
     };
-    // Where the ball must be to come near a touch of a cycle: most ways pass most cycles far off.
+    // Bounding box of ball centres near the touches of a cycle: most moves are far from most cycles.
     let boxes: Vec<(Vec3, Vec3)> = path
         .members
         .iter()
@@ -180,8 +178,8 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     })
 }
 
-/// The first move of a set-up that hits the feature of another cycle, and the position: a stud, or a body with walls all around. How far the
-/// material around a hole or behind a single wall goes is not known.
+/// First move of a set-up that hits the feature of another cycle, and the position: a stud, or a body with walls all around. The extent of the material around
+/// a hole or behind a single wall is unknown.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
     let standing: Vec<Vec<Surface>> = path
         .members
@@ -202,7 +200,7 @@ pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize
     })
 }
 
-/// Those surfaces that bound a body all around.
+/// Surfaces that bound a body on all sides.
 fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
     let closed = |body: usize| {
         let normals = surfaces.iter().filter_map(|surface| match surface {
@@ -212,7 +210,7 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
         let angles: Vec<f64> = normals
             .map(|n| n.dot(path.frame.v).atan2(n.dot(path.frame.u)))
             .collect();
-        // Behind each wall comes another one before half a turn is over.
+        // For each wall there is another one within half a turn.
         let next = |angle: f64| {
             let turns = angles
                 .iter()
@@ -234,8 +232,8 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
     surfaces.iter().filter(stands).copied().collect()
 }
 
-/// Runs the whole path on the actual surfaces. A touch starts at the present position and runs along the inverted target vector
-/// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
+/// Runs the whole path on the actual surfaces. A touch starts at the current position and moves along the inverted target vector until it contacts a surface,
+/// or until it is `search` past its nominal contact. The retract starts at the trigger.
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;
     let obstacles = Obstacles::of(surfaces, up);
@@ -243,7 +241,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let (mut strays, mut edges) = (Vec::new(), Vec::new());
     let mut at: Option<Vec3> = path.start;
     for (index, step) in path.moves.iter().enumerate() {
-        // Where the job does not say where the ball is, only the first place itself is looked at.
+        // Without a start in the job, only the first position itself is checked.
         let from = at.unwrap_or(step.to);
         match step.purpose {
             Purpose::Touch(k) | Purpose::Search(k) => {

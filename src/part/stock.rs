@@ -5,15 +5,15 @@ use crate::part::contact::Body;
 use crate::part::stylus::{Above, Shape, meet_flat};
 use crate::path::{Feature, Path, Purpose, Surface};
 
-/// The ball may be this deep in the stock, mm: positions in inch have steps of 0.0001 in.
+/// Depth by which the ball may be in the stock, mm: positions in inch have steps of 0.0001 in.
 const TOLERANCE: f64 = 0.005;
 
 /// A block, parallel to the axes of the work coordinate system, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stock {
-    /// The corner with the smallest X, Y and Z.
+    /// Corner with the smallest X, Y and Z.
     pub low: Vec3,
-    /// The corner with the largest.
+    /// Corner with the largest X, Y and Z.
     pub high: Vec3,
 }
 
@@ -32,36 +32,36 @@ impl Stock {
     }
 }
 
-/// Where a feature is open: a prism along the tool axis, from its floor up.
+/// An opening of the stock by a feature: a prism along the tool axis, from its floor up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opening {
     pub sides: Sides,
-    /// Height of the lowest point of the ball in this feature, mm.
+    /// Lowest point of the ball in this feature, as a height, mm.
     pub floor: f64,
 }
 
-/// What bounds an opening across the tool axis.
+/// Boundary of an opening across the tool axis.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Sides {
     /// A hole.
     Round { center: Vec3, radius: f64 },
-    /// Flat walls: a point of each and its normal, which points into the opening. A groove and a corner are open where they have no wall.
+    /// Flat walls: a point of each and its normal, which points into the opening. A groove and a corner are open on the sides without a wall.
     Flat(Vec<(Vec3, Vec3)>),
 }
 
-/// Where the ball, the shank or the probe body hits the stock.
+/// Position at which the ball, the shank or the probe body hits the stock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Index of the move in the path.
     pub index: usize,
-    /// The ball centre at the hit.
+    /// Ball centre at the hit.
     pub center: Vec3,
-    /// None is the ball.
+    /// `None` is the ball.
     pub part: Option<Above>,
 }
 
 impl Opening {
-    /// Whether a point lies between its walls. A corner has none that face each other: how far its floor reaches is not known.
+    /// Whether a point lies between its walls. A corner has no facing walls: the extent of its floor is unknown.
     fn encloses(&self, point: Vec3, up: Vec3) -> bool {
         match &self.sides {
             Sides::Round { center, radius } => {
@@ -79,19 +79,19 @@ impl Opening {
     }
 }
 
-/// How a path runs on a displaced part.
+/// Run of a path on a displaced part.
 #[derive(Clone, Copy, Debug)]
 pub struct DisplacedRun<'a> {
-    /// How the part is displaced.
+    /// Displacement of the part.
     pub rigid: &'a Rigid,
     /// Ball centre at the trigger of each touch, in work coordinates, mm. The run ends at a touch without one.
     pub triggers: &'a [Option<Vec3>],
-    /// How many moves are run.
+    /// Number of moves that are run.
     pub moves: usize,
 }
 
-/// The openings of the features that are cut into the stock; features that are touched from outside have none. A surface that is touched from above between
-/// the walls of a hole, pocket or groove is its floor. `surfaces` are those of the path, or the same ones in the sizes of the actual part.
+/// Openings of the features that are cut into the stock; features that are touched from outside have none. A surface that is touched from above between the
+/// walls of a hole, pocket or groove is its floor. `surfaces` are those of the path, or the same ones in the sizes of the actual part.
 pub fn openings(path: &Path, surfaces: &[Surface], radius: f64) -> Vec<Opening> {
     let members = path
         .members
@@ -149,8 +149,8 @@ fn openings_of(path: &Path, surfaces: &[Surface], radius: f64) -> Vec<Opening> {
         .collect()
 }
 
-/// The first position on a path where the ball, the shank or the probe body is in the stock outside all openings: on the nominal part, or on a displaced one.
-/// How deep an opening of a displaced part is, is not known: the path is checked against its walls only.
+/// First position on a path where the ball, the shank or the probe body is in the stock outside all openings, on the nominal part or on a displaced one. The
+/// depth of an opening on a displaced part is unknown: the path is checked against its walls only.
 pub fn hit(
     path: &Path,
     displaced: Option<DisplacedRun<'_>>,
@@ -218,12 +218,12 @@ struct Check {
 }
 
 impl Check {
-    /// The fraction of the way at which the ball hits the stock. A move that is neither level nor upright counts as low as its lower end.
+    /// Fraction of the move at which the ball hits the stock. A move that is neither level nor upright counts as low as its lower end.
     fn ball(&self, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
         let radius = (radius - TOLERANCE).max(0.0);
         let meets = |from, to| Some(self.body.meet(radius, from, to)?.0);
         let above = from.dot(self.up).min(to.dot(self.up)) - self.top;
-        // The widest part of the ball below the top.
+        // Largest radius of the ball below the top.
         let wide = if above > 0.0 {
             (radius * radius - above * above).max(0.0).sqrt()
         } else {
@@ -232,14 +232,14 @@ impl Check {
         self.first(meets, [wide, radius], from, to)
     }
 
-    /// The fraction of the way at which a level disc with a cylinder above it hits the stock.
+    /// Fraction of the move at which a level disc with a cylinder above it hits the stock.
     fn disc(&self, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
         let radius = (radius - TOLERANCE).max(0.0);
         let meets = |from, to| meet_flat(&self.body, self.up, radius, from, to);
         self.first(meets, [radius, 0.0], from, to)
     }
 
-    /// The fraction of the way at which a body is in the stock outside all openings. `wide` is its radius, `low` how far it extends below its centre.
+    /// Fraction of the move at which a body is in the stock outside all openings. `wide` is its radius, `low` its extent below its centre.
     fn first(
         &self,
         meets: impl Fn(Vec3, Vec3) -> Option<f64>,
@@ -271,7 +271,7 @@ impl Check {
         }
     }
 
-    /// The fractions of the way between which it is within an opening.
+    /// Fractions of the move between which the body is within an opening.
     fn free(
         &self,
         opening: &Opening,
@@ -311,7 +311,7 @@ impl Check {
     }
 }
 
-/// The part of an interval in which `start + t · slope` is not negative.
+/// Part of an interval in which `start + t · slope` is not negative.
 fn clip([begin, end]: [f64; 2], start: f64, slope: f64) -> Option<[f64; 2]> {
     let free = if slope.abs() < 1e-12 {
         [begin, if start >= 0.0 { end } else { begin }]
@@ -355,7 +355,7 @@ mod tests {
         }
     }
 
-    /// How far a ball of radius 3 comes on a way before it hits the stock.
+    /// Distance that a ball of radius 3 travels before it hits the stock.
     fn far(from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
         let t = check().ball(3.0, from, to)?;
@@ -379,7 +379,7 @@ mod tests {
 
     #[test]
     fn a_ball_hits_the_stock_at_its_faces_walls_and_floors() {
-        // From 10 mm above the top, and from 10 mm beside the block, the centre comes 7 mm far. Every distance is longer by the tolerance.
+        // From 10 mm above the top, and from 10 mm beside the block, the centre travels 7 mm. Every distance is longer by the tolerance.
         assert_eq!(far([20.0, 0.0, 10.0], [20.0, 0.0, -5.0]), Some(7.01));
         assert_eq!(far([-60.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.01));
         // The hole: its wall at 10, its floor at −15.
@@ -387,7 +387,7 @@ mod tests {
         assert_eq!(far([0.0, 0.0, 10.0], [0.0, 0.0, -14.0]), Some(22.01));
         // Over the rim: 1.8 above the top the ball is 2.4 wide (3-4-5).
         assert_eq!(far([0.0, 0.0, 1.8], [20.0, 0.0, 1.8]), Some(7.61));
-        // From the hole straight into the slot there is material between them.
+        // There is material between the hole and the slot.
         assert_eq!(far([0.0, 0.0, -9.0], [0.0, 30.0, -9.0]), Some(7.01));
         // The floor of the slot is at −12: the hole is deeper.
         assert_eq!(far([0.0, 30.0, 10.0], [0.0, 30.0, -12.0]), Some(19.01));

@@ -1,15 +1,15 @@
-//! The stylus above its ball: shank and probe body, cylinders along the tool axis, swept against the same bodies as the ball.
+//! The stylus above its ball: shank and probe body, cylinders along the tool axis, checked against the same bodies as the ball.
 //!
-//! No surface of a feature overhangs, so the material only gets narrower upwards. A cylinder therefore meets it first, if at all, with the disc at
-//! its lower end, and how far it goes up does not count: the shank meets what its lower end meets, at the height of the ball centre. A shank no
-//! thicker than the ball is within it there, and meets nothing that the ball does not.
+//! No surface of a feature overhangs, so the material only gets narrower upwards. A cylinder therefore contacts it first with the disc at its lower end, and
+//! its height does not matter: the shank contacts what its lower end contacts, at the height of the ball centre. A shank no thicker than the ball is inside the
+//! ball there and has no further contacts.
 
 use crate::geom::Vec3;
 use crate::part::Run;
 use crate::part::contact::{Body, SKIN};
 use crate::path::{Path, Purpose, Round, Surface};
 
-/// The stylus above its ball: diameters and length in mm, none if it is not known.
+/// Stylus above its ball: diameters and length in mm, `None` if unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// From the ball centre up to the probe body.
@@ -20,7 +20,7 @@ pub struct Shape {
     pub body: Option<f64>,
 }
 
-/// What is above the ball.
+/// Part above the ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Above {
     /// The stylus itself, from the ball centre up.
@@ -29,12 +29,12 @@ pub enum Above {
     Body,
 }
 
-/// Where the stylus meets the part above its ball.
+/// Contact of the stylus above its ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
     /// Index of the move in the path.
     pub index: usize,
-    /// The ball centre then.
+    /// Ball centre at the contact.
     pub center: Vec3,
     pub part: Above,
 }
@@ -44,13 +44,13 @@ pub struct Struck {
 pub(super) struct Disc {
     pub(super) part: Above,
     pub(super) radius: f64,
-    /// How far above the ball centre.
+    /// Height above the ball centre.
     pub(super) rise: f64,
 }
 
 impl Shape {
-    /// What can meet a part that a ball of this radius does not meet, as far as it is known. The body can only be held against a top side that is
-    /// known: a wall whose end is not known would always be in its way.
+    /// Parts that can contact a part that a ball of this radius does not, as far as they are known. The body is checked only against a known top side: a wall
+    /// with an unknown end would always be in its way.
     pub(super) fn discs(&self, ball: f64, topped: bool) -> Vec<Disc> {
         let shank = self.shank.map(|shank| Disc {
             part: Above::Shank,
@@ -70,7 +70,7 @@ impl Shape {
     }
 }
 
-/// The first place where the stylus meets the part above its ball, on the way that the ball has run: a ball of this radius (mm).
+/// First position where the stylus above the ball contacts the part, on the path that the ball (radius in mm) has run.
 pub fn struck(
     path: &Path,
     surfaces: &[Surface],
@@ -139,7 +139,7 @@ pub fn struck(
     None
 }
 
-/// Which part of a way, as fractions of it, runs below a height.
+/// Fractions of a move between which it is below a height.
 fn below(top: f64, [begin, end]: [f64; 2]) -> Option<[f64; 2]> {
     let limit = top - SKIN;
     let crossing = || (begin - limit) / (begin - end);
@@ -151,8 +151,8 @@ fn below(top: f64, [begin, end]: [f64; 2]) -> Option<[f64; 2]> {
     }
 }
 
-/// The fraction of the way at which a level disc meets a body of flat faces. Along slopes a move is taken to run at the height of its lower end,
-/// where the material is widest.
+/// Fraction of the move at which a level disc contacts a body with flat faces. Along slopes a move counts as low as its lower end, where the material is
+/// widest.
 pub(super) fn meet_flat(body: &Body, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     let heights = [from, to].map(|p| p.dot(up));
     let (prism, top) = body.cut(up, heights[0].min(heights[1]))?;
@@ -163,7 +163,7 @@ pub(super) fn meet_flat(body: &Body, up: Vec3, radius: f64, from: Vec3, to: Vec3
         .map(|(t, ..)| begin + (end - begin) * t)
 }
 
-/// The fraction of the way at which a level disc meets a hole or a stud.
+/// Fraction of the move at which a level disc contacts a hole or a stud.
 fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     let [begin, end] = below(round.center.dot(up), [from, to].map(|p| p.dot(up)))?;
     let flat = |t: f64| {
@@ -177,13 +177,13 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     } else if start.length() <= free + SKIN {
         leaves(start, way, free)
     } else {
-        // Around a hole there is material as far as its plate reaches.
+        // There is material around a hole up to the radius of its plate.
         enters(start, way, round.plate.unwrap_or(round.radius) + radius)
     };
     met.map(|t| begin + (end - begin) * t)
 }
 
-/// When a point comes nearer to the axis than `limit`.
+/// Fraction at which a point comes closer to the axis than `limit`.
 fn enters(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
     let limit = limit - SKIN;
     if start.length() < limit {
@@ -199,7 +199,7 @@ fn enters(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
     (b < 0.0 && root > 0.0 && t <= 1.0).then_some(t)
 }
 
-/// When a point comes farther from the axis than `limit`.
+/// Fraction at which a point gets farther from the axis than `limit`.
 fn leaves(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
     if (start + way).length() <= limit + SKIN {
         return None;

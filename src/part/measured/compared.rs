@@ -1,8 +1,8 @@
-//! What measuring cycles print themselves: an actual value with its nominal one. No line names a result: kind and nominal value tell which one it is.
+//! Print-outs of measuring cycles: actual values with their nominal ones. No line names a result: kind and nominal value identify it.
 //!
-//! Sources. Renishaw's macro O9730 of the edition for Haas, a line a result: `SIZE D 40.0000 ACTUAL 40.0132 TOL 0.5000 DEV 0.0132`, `POSN X …`, `ANG …`;
-//! DPRNT prints blanks as `*`. HEIDENHAIN's TNC guide, "Recording the results of measurement": the log of cycle 421 (Q281), the same labels under
-//! `Nominal values:` and under `Actual values:`. The labels of other HEIDENHAIN cycles are not printed there: those for a length, a width and an angle are recalled.
+//! Sources. Renishaw's macro O9730 in the edition for Haas, one result a line: `SIZE D 40.0000 ACTUAL 40.0132 TOL 0.5000 DEV 0.0132`, `POSN X …`, `ANG …`;
+//! DPRNT prints blanks as `*`. HEIDENHAIN's TNC guide, "Recording the results of measurement": the log of cycle 421 (Q281), with the same labels under `Nominal
+//! values:` and under `Actual values:`. The labels of other HEIDENHAIN cycles are not printed there: those for a length, a width and an angle are recalled [R].
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -13,17 +13,17 @@ use crate::num::decimal;
 use crate::part::measured::{Expected, Form, line};
 use crate::text::text;
 
-/// Both print four decimals.
+/// Largest rounding error: both print four decimals.
 const LAST_DIGIT: f64 = 6e-4;
 
-/// The value that a line compares.
+/// Kind of a compared value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Size,
-    /// Of this axis: `X`, `Y` or `Z`, as in G17.
+    /// Coordinate along this axis: `X`, `Y` or `Z`, as in G17.
     Place(char),
     Angle,
-    /// Of a label that is not known.
+    /// Value with an unknown label.
     Unknown,
 }
 
@@ -47,9 +47,9 @@ impl Kind {
     }
 }
 
-/// An actual value beside its nominal one, in the unit of the text.
+/// An actual value and its nominal one, in the unit of the text.
 struct Compared<'t> {
-    /// The line of the actual value, from 0.
+    /// Line of the actual value, from 0.
     line: usize,
     text: &'t str,
     kind: Kind,
@@ -57,10 +57,10 @@ struct Compared<'t> {
     actual: f64,
 }
 
-/// A part of a text that one cycle printed.
+/// Print-out of one cycle.
 struct Print<'t> {
     found: Vec<Compared<'t>>,
-    /// Its lines, which hold nothing else.
+    /// Its lines, which contain nothing else.
     lines: Vec<usize>,
     /// mm in a unit of length.
     scale: f64,
@@ -117,7 +117,7 @@ fn heidenhain<'t>(text: &'t str, scale: f64, expected: &Expected<'_>) -> Vec<Pri
     begins.iter().zip(ends).map(log).collect()
 }
 
-/// The actual values of one log, and the unit that it states: mm in a unit of length. A value follows its label on the same line or the next.
+/// Actual values of one log, and its unit: mm in a unit of length. A value follows its label on the same line or the next.
 fn log<'t>(lines: &[&'t str], range: Range<usize>) -> (Vec<Compared<'t>>, Option<f64>) {
     let (mut section, mut label) = ("", "");
     let (mut nominals, mut found, mut unit) = (Vec::new(), Vec::new(), None);
@@ -142,7 +142,7 @@ fn log<'t>(lines: &[&'t str], range: Range<usize>) -> (Vec<Compared<'t>>, Option
             nominals.push((label, value));
         } else if section == "Actual values" {
             let at = nominals.iter().position(|(of, _)| *of == label);
-            // Without a nominal value it is no result's, and reported.
+            // Without a nominal value it belongs to no result, and is reported.
             let nominal = at.map_or(f64::NAN, |at| nominals.remove(at).1);
             found.push(Compared {
                 line,
@@ -156,7 +156,7 @@ fn log<'t>(lines: &[&'t str], range: Range<usize>) -> (Vec<Compared<'t>>, Option
     (found, unit)
 }
 
-/// What a HEIDENHAIN cycle calls a value. The first three labels are printed in the guide, the others are recalled.
+/// Kind of a value by its HEIDENHAIN label. The first three labels are printed in the guide, the others are recalled [R].
 fn labelled(label: &str) -> Kind {
     let has = |word: &str| label.contains(word);
     if has("reference axis") {
@@ -172,12 +172,12 @@ fn labelled(label: &str) -> Kind {
     }
 }
 
-/// The number that a text starts with, after blanks.
+/// The number at the start of a text, after blanks.
 fn number(text: &str) -> Option<f64> {
     line::number(text.trim_start()).map(|(number, _)| number)
 }
 
-/// The text with such values as results of the job: `diameter=40.0132`. A value that no result of the job has is an error: it belongs to another part.
+/// The text with such values as results of the job: `diameter=40.0132`. A value without a result in the job is an error: it belongs to another part.
 pub fn as_results<'t>(
     checker: &mut Checker,
     text: &'t str,
@@ -218,7 +218,7 @@ pub fn as_results<'t>(
                 kind.fits(def) && (def.nominal / unit - nominal).abs() < LAST_DIGIT
             };
             let found = (0..taken.len()).find(|i| !taken[*i] && is(&formula.results[*i]));
-            // One that comes again is another run, of which the results say it.
+            // A repeated value belongs to another run; reading the results reports it.
             let Some(i) = found.or_else(|| formula.results.iter().position(is)) else {
                 let message = text!(
                     "Line {line} is of a nominal value that no result of this job has: \"{text}\". Is it from this job?",

@@ -1,9 +1,8 @@
-//! A log with grbl's reports of touches: which of them count, and where they lie in the work coordinate system.
+//! A log with grbl's reports of touches: selects the reports that count and converts them to work coordinates.
 //!
-//! Sources: grbl 1.1's report.c, gcode.c and motion_control.c. A touch is reported in machine coordinates. All reports are in mm, or in inch under
-//! `$13=1`, whatever the program's units. The answer to `$#` ends with the last touch once more. A touch that misses raises alarm 5, which ends
-//! the program. A positioning move that is watched (`G38.3`) is reported as well: with `:0` where it met nothing; after a contact the next probing
-//! move raises alarm 4.
+//! Sources: grbl 1.1's report.c, gcode.c and motion_control.c. A touch is reported in machine coordinates. All reports are in mm, or in inch under `$13=1`,
+//! whatever the program's units. The answer to `$#` ends with the last touch once more. A missed touch raises alarm 5, which ends the program. A watched
+//! positioning move (`G38.3`) is reported as well, with `:0` if it made no contact; after a contact the next probing move raises alarm 4.
 
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -14,7 +13,7 @@ use crate::part::measured::{Expected, Measured, Numbered, Stand, reach, stand};
 use crate::path::Purpose;
 use crate::text::text;
 
-/// A shorter positioning move is no probing move, mm: its block has no other numbers than the one before.
+/// A shorter positioning move is not a probing move, mm: its block has the same numbers as the previous one.
 const ONE_PLACE: f64 = 1e-4;
 
 /// An inch in mm.
@@ -49,12 +48,12 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     }
 }
 
-/// The reports of positioning moves before a touch, or after the last one.
+/// Reports of positioning moves before a touch, or after the last one.
 #[derive(Clone, Copy, Default)]
 struct Before {
-    /// One a straight move that is watched.
+    /// Number of watched straight moves, one report each.
     straight: usize,
-    /// An arc is reported as the pieces that it is made of.
+    /// Whether there is an arc, which is reported piece by piece.
     arcs: bool,
 }
 
@@ -64,7 +63,7 @@ impl Before {
     }
 }
 
-/// For each touch what is reported before it, in the order of the moves, and what is after the last one.
+/// Reports before each touch, in the order of the moves, and after the last one.
 fn positioning(expected: &Expected<'_>) -> Vec<Before> {
     let path = expected.path;
     let (mut all, mut next) = (
@@ -76,7 +75,7 @@ fn positioning(expected: &Expected<'_>) -> Vec<Before> {
         match step.purpose {
             Purpose::Touch(_) => all.push(std::mem::take(&mut next)),
             Purpose::Position if step.arc.is_some() => next.arcs = true,
-            // The way to the first place is not watched.
+            // The approach to the first position is not watched.
             Purpose::Position => {
                 next.straight +=
                     usize::from(from.is_some_and(|from| from.distance(step.to) >= ONE_PLACE))
@@ -89,8 +88,8 @@ fn positioning(expected: &Expected<'_>) -> Vec<Before> {
     all
 }
 
-/// Leaves out the reports of positioning moves, where the log has them. They say which touch comes next: a contact that comes too early is one of a
-/// positioning move, and no touch.
+/// Removes the reports of positioning moves, if the log has them. They tell which touch comes next: a contact that comes too early belongs to a positioning
+/// move, not to a touch.
 fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_>) {
     let reports: Vec<(usize, bool)> = log
         .touched()
@@ -156,7 +155,7 @@ fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_
     log.touches.retain(|_| keep.next().unwrap_or(true));
 }
 
-/// One report a touch is needed. A miss ends a program, so that it is the last one.
+/// Checks for one report of each touch. A miss ends a program, so it must be the last one.
 fn check_count(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     let (given, touches) = (log.touches.len(), expected.path.touches.len());
     let miss = log.touched().position(|(_, place, _)| place.is_none());
@@ -221,7 +220,7 @@ fn inches(checker: &mut Checker, log: &Log) -> Option<bool> {
     Some(inches)
 }
 
-/// The points in work coordinates, mm, and the mm in a unit of the reports.
+/// Points in work coordinates, mm, and the mm in a unit of the reports.
 fn placed(
     checker: &mut Checker,
     log: &Log,
@@ -245,7 +244,7 @@ fn placed(
     let scale = match inches {
         Some(true) => INCH,
         Some(false) => 1.0,
-        // Nothing to place.
+        // Nothing to convert.
         None if log.touched().all(|(_, place, _)| place.is_none()) => 1.0,
         None => match (fits(1.0), fits(INCH)) {
             (true, true) if inch_job => {
@@ -282,7 +281,7 @@ fn placed(
     Some((points(scale), scale))
 }
 
-/// By what the reports were converted.
+/// Notes the shift by which the reports were converted.
 fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
     let by = ["X", "Y", "Z"]
         .iter()
@@ -301,7 +300,7 @@ fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
     checker.info("converted", "measured", message);
 }
 
-/// The touches without contact, and those that were not made after one.
+/// Reports touches without contact, and touches that were not made after one.
 fn say_missed(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     for ((touch, ..), (number, place, _)) in expected.path.searches().zip(log.touched()) {
         if place.is_none() {

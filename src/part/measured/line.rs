@@ -1,21 +1,21 @@
-//! One line of a sender's log: what grbl reports in it, and what was sent to grbl.
+//! One line of a sender's log: grbl's reports in it, and blocks sent to grbl.
 //!
-//! Sources: grbl 1.1's interface document and its report.c: reports are in square brackets or between `<` and `>`; what grblHAL and FluidNC add
-//! (further axes, `WCS:`, G59.1 to G59.3) is read likewise. Senders put a prompt or a time in front; none of that is looked at.
+//! Sources: grbl 1.1's interface document and its report.c: reports are in square brackets or between `<` and `>`. Additions of grblHAL and FluidNC (further
+//! axes, `WCS:`, G59.1 to G59.3) are read likewise. Senders may put a prompt or a time before a report; these are ignored.
 
 use crate::geom::Vec3;
 use crate::num::read_digits;
 
-/// What a line says. Lengths as grbl reports them: mm, or inch under `$13=1`.
+/// An item of a line. Lengths as grbl reports them: mm, or inch under `$13=1`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// `[PRB:x,y,z:1]`, in machine coordinates; what the line says in front of it, without digits.
+    /// `[PRB:x,y,z:1]` in machine coordinates, with the text before it, without digits.
     Touch {
         place: Vec3,
         contact: bool,
         prefix: String,
     },
-    /// `WCO:`: machine less work coordinates.
+    /// `WCO:`: machine minus work coordinates.
     Shift(Vec3),
     /// Position of the idle machine, in machine or work coordinates.
     Stands { place: Vec3, work: bool },
@@ -29,25 +29,25 @@ pub enum Item {
     Active { offset: u8, sent: bool },
     /// `$13=`: whether reports are in inch.
     Inches(bool),
-    /// The answer to a line: whatever report was under way has ended.
+    /// The answer to a line: a report under way has ended.
     Answered,
-    /// A program's end: the work offset may be another one from here, G54 again on grbl.
+    /// End of a program: the work offset may change here, to G54 on grbl.
     Ended,
-    /// Something that changes an offset: a block with G10, G92, G43.1 or G49, `$RST`, or a restart.
+    /// A change of offsets: a block with G10, G92, G43.1 or G49, `$RST`, or a restart.
     Changes,
     /// A jog or homing.
     Moves,
-    /// A block with a place.
+    /// A block with a position.
     Travels,
-    /// A block that touches. Its report comes later: senders are some lines ahead.
+    /// A block with a touch. Its report comes later: senders are some lines ahead.
     Probes,
-    /// An alarm or an error; whether it says that a probing move began in contact, `ALARM:4`.
+    /// An alarm or an error; `in_contact` for a probing move that began in contact, `ALARM:4`.
     Trouble { in_contact: bool },
     /// A report of a touch that cannot be read.
     Unreadable,
 }
 
-/// Everything that a line says, in its order but for the reports, which come first.
+/// All items of a line in order, with the reports first.
 pub fn items(line: &str) -> Vec<Item> {
     let line = &*without_comments(line);
     let mut found: Vec<Item> = line
@@ -73,7 +73,7 @@ pub fn items(line: &str) -> Vec<Item> {
     if line.contains("Pgm End") || line.contains("Program End") {
         found.push(Item::Ended);
     }
-    // A restart greets so.
+    // Greeting after a restart.
     if says("$RST=") || (line.contains("rbl") && line.contains("for help]")) {
         found.extend([Item::Changes, Item::Ended]);
     }
@@ -100,18 +100,18 @@ pub fn without_comments(line: &str) -> String {
     out + rest
 }
 
-/// Whether a line has the prompt of a sender in front of what it sends.
+/// Whether a line has the prompt of a sender before a sent block.
 pub fn is_sent(line: &str) -> bool {
     line.contains('>')
 }
 
-/// The work offset that a line is the word of, and nothing else.
+/// The work offset of a line that consists of its word only.
 pub fn offset_alone(line: &str) -> Option<u8> {
     line.trim().strip_prefix(['G', 'g']).and_then(offset_number)
 }
 
-/// X, Y and Z of a line that has these words and no others: `X1.2 Y3.4 Z5.6`, in any order, also `X=1.2` and with blanks between letter, sign and
-/// digits. A name and a count may come first: `TOUCH 1 X…`. `None` for any other line.
+/// X, Y and Z of a line with these words and no others: `X1.2 Y3.4 Z5.6`, in any order, also `X=1.2` and with blanks between letter, sign and digits. A name
+/// and a count may come first: `TOUCH 1 X…`. `None` for any other line.
 pub fn letters(line: &str) -> Option<[f64; 3]> {
     let begin = line.char_indices().find(|(at, c)| {
         let before = line[..*at].chars().next_back();
@@ -149,7 +149,7 @@ pub fn letters(line: &str) -> Option<[f64; 3]> {
     Some([found[0]?, found[1]?, found[2]?])
 }
 
-/// The number that a text begins with, and what follows: blanks may come before the number and after its sign, as DPRNT prints them.
+/// The number at the start of a text, and the rest: blanks may come before the number and after its sign, as DPRNT prints them.
 pub fn number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim_start_matches([' ', '\t']);
     let (sign, digits) = match text.as_bytes().first()? {
@@ -161,7 +161,7 @@ pub fn number(text: &str) -> Option<(f64, &str)> {
     (value <= 1e6).then_some((sign * value, &digits[length..]))
 }
 
-/// Numbers with commas between them, and what follows.
+/// Numbers separated by commas, and the rest.
 fn axes(mut text: &str) -> Option<(Vec<f64>, &str)> {
     let mut found = Vec::new();
     loop {
@@ -174,7 +174,7 @@ fn axes(mut text: &str) -> Option<(Vec<f64>, &str)> {
     }
 }
 
-/// The first three of at least as many numbers, up to what must follow.
+/// The first three of at least three numbers, followed by one of `ends`.
 fn place<'a>(text: &'a str, ends: &[char]) -> Option<(Vec3, &'a str)> {
     let (found, rest) = axes(text)?;
     let [x, y, z, ..] = found[..] else {
@@ -219,7 +219,7 @@ fn touch(before: &str, after: &str) -> Item {
     read().unwrap_or(Item::Unreadable)
 }
 
-/// The answers to `$#`, `$G` and `$$`.
+/// Answers to `$#`, `$G` and `$$`.
 fn settings(line: &str, found: &mut Vec<Item>) {
     for (at, _) in line.match_indices('[') {
         let Some(body) = report(&line[at..], *b"[]").map(|end| &line[at + 1..at + end]) else {
@@ -268,7 +268,7 @@ fn settings(line: &str, found: &mut Vec<Item>) {
     }
 }
 
-/// The values of a status report, or of a single `WCO:`.
+/// Values of a status report, or of a single `WCO:`.
 fn status(line: &str, found: &mut Vec<Item>) {
     let of = |key: &str| {
         line.split_once(key)
@@ -289,7 +289,7 @@ fn status(line: &str, found: &mut Vec<Item>) {
     }
 }
 
-/// The number of a work offset, 1 = G54, from the digits of its word.
+/// Number of a work offset, 1 = G54, from the digits of its word.
 fn offset_number(digits: &str) -> Option<u8> {
     ["54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3"]
         .iter()
@@ -297,7 +297,7 @@ fn offset_number(digits: &str) -> Option<u8> {
         .map(|i| i as u8 + 1)
 }
 
-/// Where the report ends that a text begins with; `None` if another one begins before.
+/// End of the report at the start of a text; `None` if another report begins before its end.
 fn report(text: &str, [open, close]: [u8; 2]) -> Option<usize> {
     let end = 1 + text
         .bytes()
@@ -324,8 +324,8 @@ fn without_reports(line: &str) -> String {
     out + rest
 }
 
-/// The words of a block at the end of a line, after any other text; `None` if it holds no block. What follows a semicolon, and an `ok`,
-/// are not of it; `$N0=G54` keeps a block for later.
+/// Words of a block at the end of a line, after any other text; `None` without a block. Text after a semicolon and an `ok` do not belong to it; `$N0=G54`
+/// stores a block for later.
 fn block(line: &str) -> Option<Vec<(char, f64)>> {
     let line = line
         .split(';')
@@ -347,7 +347,7 @@ fn block(line: &str) -> Option<Vec<(char, f64)>> {
         .find_map(|(at, _)| words(&line[at..]))
 }
 
-/// Beyond so many words of prose no block is looked for.
+/// After this number of other words no block is searched for.
 const MOST_STARTS: usize = 12;
 
 fn words(mut text: &str) -> Option<Vec<(char, f64)>> {
@@ -363,7 +363,7 @@ fn words(mut text: &str) -> Option<Vec<(char, f64)>> {
     (!found.is_empty()).then_some(found)
 }
 
-/// What a block that was sent does to offsets and places.
+/// Effects of a sent block on offsets and positions.
 fn sent(words: &[(char, f64)], found: &mut Vec<Item>) {
     let is = |letter: char, value: f64| {
         words
@@ -399,7 +399,7 @@ fn sent(words: &[(char, f64)], found: &mut Vec<Item>) {
 mod tests {
     use super::*;
 
-    /// As grbl 1.1's interface document prints them.
+    /// Examples as grbl 1.1's interface document prints them.
     #[test]
     fn reports_say_what_they_say() {
         let at = Vec3::new;

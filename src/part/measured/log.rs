@@ -1,4 +1,4 @@
-//! What a log of grbl says: its items in their order, and which touches count.
+//! Contents of a grbl log: its items in order, and the touches that count.
 
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -6,24 +6,24 @@ use crate::part::measured::line::{self, Item};
 use crate::part::measured::{Numbered, is_numbers, unclear};
 use crate::text::text;
 
-/// In more kinds of lines no log says the same.
+/// Largest number of line kinds that may repeat the same touches.
 const MOST_ECHOES: usize = 4;
 
-/// What a log says, in its order.
+/// Contents of a log, in order.
 #[derive(Debug, Default)]
 pub struct Log {
-    /// Each with the number of its line.
+    /// Items with their line numbers.
     pub items: Vec<(usize, Item)>,
-    /// The touches that count, by their places among the items.
+    /// Touches that count, by their indices among the items.
     pub touches: Vec<usize>,
-    /// The work offset that a user wrote as the first line; one that was sent has an answer.
+    /// Work offset that a user wrote as the first line; a sent one has an answer.
     pub stated: Option<u8>,
-    /// The lines with touches that do not count: they repeat one.
+    /// Lines with touches that only repeat earlier ones.
     pub repeated: Vec<usize>,
 }
 
 impl Log {
-    /// Everything that the lines say. A line that could be a measurement, and is no report, is an error.
+    /// All items of the lines. A line that could be a measurement but is not a report is an error.
     pub fn of(checker: &mut Checker, lines: &[Numbered<'_>]) -> Log {
         let answered = lines
             .get(1)
@@ -67,7 +67,7 @@ impl Log {
         log
     }
 
-    /// The touches that count: line, position (`None` for a missed touch), and the text before it.
+    /// Touches that count: line, position (`None` for a missed touch), and the text before it.
     pub fn touched(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &str)> {
         self.touches.iter().filter_map(|at| match &self.items[*at] {
             (
@@ -82,7 +82,7 @@ impl Log {
         })
     }
 
-    /// Leaves out what a log says twice: the same touches in lines of another kind. Where only some are there twice, that is an error.
+    /// Removes repetitions: the same touches in lines of another kind. If only some are repeated, that is an error.
     pub fn drop_echoes(&mut self, checker: &mut Checker) {
         let touched: Vec<(usize, Option<Vec3>, &str)> = self.touched().collect();
         let Some(first) = touched.first().map(|(.., prefix)| *prefix) else {

@@ -1,4 +1,4 @@
-//! What a machine really measured, in whatever form it was copied: points, results, or the log of a sender.
+//! Values measured on a real machine, in any copied form: points, results, or the log of a sender.
 
 mod compared;
 mod grbl;
@@ -15,30 +15,30 @@ use crate::geom::Vec3;
 use crate::path::Path;
 use crate::text::{Text, text};
 
-/// What the measured values belong to.
+/// Context that measured values belong to.
 #[derive(Clone, Debug)]
 pub struct Expected<'a> {
-    /// The path whose touches were made.
+    /// Path with the touches.
     pub path: &'a Path,
-    /// Of the ball, mm.
+    /// Radius of the ball, mm.
     pub radius: f64,
-    /// What the program is called, as the job and as the control say it: a printed text may begin with it.
+    /// Names of the program in the job and on the control: a printed text may begin with one.
     pub names: [String; 2],
-    /// Where native cycles keep results: the variable, as `Q153`, and the place in the list of results.
+    /// Variables in which native cycles save results, such as `Q153`, with the indices of the results.
     pub kept: Vec<(String, usize)>,
 }
 
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
-    /// Ball centres, one a touch, mm in the work coordinate system; `None` if a touch missed. Empty where results were given.
+    /// Ball centres, one for each touch, mm in the work coordinate system; `None` if a touch missed. Empty if the text gives results.
     pub points: Vec<Option<Vec3>>,
-    /// The values of the formula's results, where the text says those and not the touches; mm or degrees.
+    /// Values of the formula's results, if the text gives these instead of touches; mm or degrees.
     pub results: Option<Vec<Option<f64>>>,
     /// Position of the machine, if the log gives it.
     pub stand: Option<Stand>,
 }
 
-/// What a log says of the machine after the touches.
+/// State of the machine after the touches, from a log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stand {
     /// The work offset in which the touches were made, 1 = G54; `None` if the log does not say.
@@ -47,15 +47,15 @@ pub struct Stand {
     pub away: Option<Text>,
 }
 
-/// A line of a text that holds something: its number, from 1, and what is in it.
+/// A line of a text with its number, from 1.
 type Numbered<'a> = (usize, &'a str);
 
-/// Reads what was measured: a list of `[X, Y, Z]` or `{x, y, z}`, or text. A text is one of
+/// Reads measured values: a list of `[X, Y, Z]` or `{x, y, z}`, or text. A text is one of
 /// - points, one a line: CSV, LinuxCNC's PROBEOPEN log, or `X1.2 Y3.4 Z5.6`, in the job's units;
-/// - results, `center.x=1.2345` a line, in the job's units and degrees, or as Renishaw's and HEIDENHAIN's cycles print them;
-/// - a log with grbl's `[PRB:x,y,z:1]`, in machine coordinates, and with what says the work offset.
+/// - results, one `center.x=1.2345` a line, in the job's units and degrees, or as Renishaw's and HEIDENHAIN's cycles print them;
+/// - a log with grbl's `[PRB:x,y,z:1]`, in machine coordinates, and with the work offset.
 ///
-/// Every problem is reported at `measured` or `measured[i]`; a text of two forms is refused, since what counts would be a guess.
+/// Every problem is reported at `measured` or `measured[i]`. A text with two forms is refused: a choice would be a guess.
 pub fn read(checker: &mut Checker, value: &Value, expected: &Expected<'_>) -> Measured {
     match value {
         Value::List(items) => Measured {
@@ -74,7 +74,7 @@ pub fn read(checker: &mut Checker, value: &Value, expected: &Expected<'_>) -> Me
     }
 }
 
-/// Reports a wrong number of points, where reading them found nothing wrong, and points that cannot be of their touches.
+/// Reports a wrong number of points, if reading found no fault, and points that their touches cannot have reached.
 pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>) {
     let (given, touches) = (measured.points.len(), expected.path.touches.len());
     if measured.results.is_none() && given != touches && !checker.failed() {
@@ -91,7 +91,7 @@ pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>
 fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let text = &*compared::as_results(checker, text, expected);
-    // A line with # in front is a comment, unless that is a variable: `#138 = 25.013`.
+    // A line that starts with # is a comment, unless it is a variable: `#138 = 25.013`.
     let is_variable = |line: &str| {
         let mut kept = expected
             .kept
@@ -114,7 +114,7 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
     };
     let [log, mut results, letters] = [Form::Log, Form::Result, Form::Letters].map(of);
     if log.is_some() {
-        // A sender names other values, too.
+        // A sender lists other values, too.
         results = lines
             .iter()
             .find(|(_, line)| results::known(&line::without_comments(line), expected))
@@ -147,7 +147,7 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
     }
 }
 
-/// What a line is that holds something measured.
+/// Form of a line with measured values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     /// grbl's report of a touch.
@@ -174,7 +174,7 @@ impl Form {
     }
 }
 
-/// Whether a line is numbers and nothing else: it could be a point.
+/// Whether a line consists of numbers: it could be a point.
 fn is_numbers(line: &str) -> bool {
     line.contains(|c: char| c.is_ascii_digit())
         && line
@@ -182,7 +182,7 @@ fn is_numbers(line: &str) -> bool {
             .all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,;".contains(c))
 }
 
-/// A line that may be a measurement but has none of the forms around it.
+/// Reports a line that may be a measurement but matches none of the forms around it.
 fn unclear(checker: &mut Checker, number: usize, line: &str) {
     let message = text!(
         "Line {line} may be a measurement but does not match the lines around it: \"{text}\". Remove it, or paste only the measurements",

@@ -1,7 +1,7 @@
-//! By what machine and work coordinates differ while a log's touches were made, and which work offset was active.
+//! Difference between machine and work coordinates during the touches of a log, and the active work offset.
 //!
-//! Sources: grbl 1.1's report.c: `WCO` is the active one of G54 … G59, plus G92, plus the tool length along Z; and gcode.c: M2 and M30 make G54
-//! active. A status report says `WCO` now and then. What is not said, or said in two ways, is asked for.
+//! Sources: grbl 1.1's report.c: `WCO` is the active one of G54 … G59, plus G92, plus the tool length along Z; and gcode.c: M2 and M30 activate G54. A status
+//! report contains `WCO` now and then. Missing or contradicting values are asked for.
 
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -12,15 +12,15 @@ use crate::text::{Text, text};
 /// Machine minus work coordinates, and their source. Lengths as the log has them.
 #[derive(Clone, Debug)]
 pub struct Shift {
-    /// Machine less work.
+    /// Machine minus work coordinates.
     pub by: Vec3,
     /// The report that it comes from, for a message.
     pub source: Text,
-    /// The work offset that was active, 1 = G54, where that is known.
+    /// Active work offset, 1 = G54, if it is known.
     pub offset: Option<u8>,
 }
 
-/// What the answer to `$#` says, each with its line.
+/// Answer to `$#`, each entry with its line.
 #[derive(Clone, Debug, Default)]
 struct Answer {
     offsets: [Option<Vec3>; 9],
@@ -29,12 +29,12 @@ struct Answer {
 }
 
 impl Answer {
-    /// Whether there is anything of it.
+    /// Whether any entry is there.
     fn begun(&self) -> bool {
         self.offsets.iter().any(Option::is_some)
     }
 
-    /// What a work offset makes of it.
+    /// Machine minus work coordinates for a work offset.
     fn sum(&self, offset: u8) -> Option<Vec3> {
         Some(
             self.offsets
@@ -46,7 +46,7 @@ impl Answer {
         )
     }
 
-    /// Takes up one entry; the one that was there, where it says something else.
+    /// Adds an entry. Returns the previous one if it differs.
     fn take(&mut self, item: &Item) -> Option<Vec3> {
         let (slot, value) = match item {
             Item::Offset(number, value) => (self.offsets.get_mut(usize::from(*number) - 1)?, value),
@@ -58,24 +58,24 @@ impl Answer {
     }
 }
 
-/// What is gathered line by line.
+/// Evidence collected line by line.
 #[derive(Debug, Default)]
 struct Gathered {
     active: Option<u8>,
-    /// `WCO` while the touches were made, with its line.
+    /// `WCO` during the touches, with its line.
     shift: Option<(Vec3, usize)>,
-    /// `WCO` after the last of them.
+    /// `WCO` after the last touch.
     late: Option<(Vec3, usize)>,
     answer: Answer,
-    /// Whether a touch was sent, so that an end that is sent behind it comes after the touch.
+    /// Whether a touch was sent, so that an end sent after it comes after the touch.
     probing: bool,
-    /// Nothing after a change of offsets says what held before it.
+    /// Whether offsets have changed: later lines give no earlier values.
     closed: bool,
-    /// A line that says something else than those before it.
+    /// A line that contradicts earlier ones.
     contradicts: Option<usize>,
 }
 
-/// Finds it; what is missing or contradicts itself is an error.
+/// Finds the shift; missing or contradicting values are errors.
 pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Shift> {
     let gathered = Gathered::of(log)?;
     if let Some(line) = gathered.contradicts {
@@ -86,7 +86,7 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
         checker.error("work-offset-unclear", "measured", message);
         return None;
     }
-    // Three rounded numbers make one.
+    // A sum of three rounded numbers.
     let rounding = if inches == Some(true) { 2.5e-4 } else { 2.5e-3 };
     let same = |a: Vec3, b: Vec3| (a - b).abs().max_element() < rounding;
     let answer = &gathered.answer;
@@ -204,7 +204,7 @@ impl Gathered {
     }
 }
 
-/// What is missing, and what to do about it.
+/// Missing values, and the remedy.
 fn needed(gathered: &Gathered, active: Option<u8>) -> Text {
     match (active, gathered.late) {
         (Some(offset), _) => text!(
@@ -224,7 +224,7 @@ fn needed(gathered: &Gathered, active: Option<u8>) -> Text {
     }
 }
 
-/// How a work offset is called.
+/// Word of a work offset.
 pub fn word(offset: u8) -> String {
     match offset {
         7.. => format!("G59.{}", offset - 6),

@@ -1,4 +1,4 @@
-//! Points, one a touch: a list, or a text with one point a line.
+//! Reads points, one for each touch: a list, or a text with one point a line.
 
 use crate::form::{Checker, Value};
 use crate::geom::Vec3;
@@ -14,7 +14,7 @@ pub fn list(checker: &mut Checker, items: &[Value]) -> Vec<Option<Vec3>> {
         .collect()
 }
 
-/// Reads lines `X1.2 Y3.4 Z5.6`. A line without a place is ignored; one that could be a point, and is none of these, is an error.
+/// Reads lines `X1.2 Y3.4 Z5.6`. A line without a position is ignored; one that could be a point but is none of these is an error.
 pub fn letters(checker: &mut Checker, lines: &[Numbered<'_>]) -> Vec<Option<Vec3>> {
     let mut points = Vec::new();
     for &(number, text) in lines {
@@ -28,7 +28,7 @@ pub fn letters(checker: &mut Checker, lines: &[Numbered<'_>]) -> Vec<Option<Vec3
     points
 }
 
-/// Whether a line begins with a word, as a name or a message does: it is no place and no number.
+/// Whether a line begins with a word, like a name or a message: it is neither a position nor a number.
 fn is_sentence(line: &str) -> bool {
     let word = line
         .trim_start()
@@ -73,9 +73,9 @@ fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
     Some(Vec3::from_array(numbers) * checker.scale)
 }
 
-/// Reads text with one point a line: CSV (comma, semicolon, tab or space; a heading without digits is ignored) or LinuxCNC's PROBEOPEN log (nine
-/// numbers a line, of which the first three count). A comma is a decimal comma where semicolons or tabs separate the numbers, or where spaces separate
-/// three or nine numbers and none has more than one comma.
+/// Reads text with one point a line: CSV (comma, semicolon, tab or space; a heading without digits is ignored) or LinuxCNC's PROBEOPEN log (nine numbers a
+/// line, of which the first three count). A comma is a decimal comma if semicolons or tabs separate the numbers, or if spaces separate three or nine numbers
+/// with at most one comma each.
 pub fn lines(checker: &mut Checker, text: &str) -> Vec<Option<Vec3>> {
     let mut points = Vec::new();
     let mut first = true;
@@ -127,7 +127,7 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
         .collect()
 }
 
-/// Whether spaces alone part the numbers of a point, or of a line of the log: `37,5 -0,5 -10`.
+/// Whether spaces alone separate the numbers of a point, or of a line of the log: `37,5 -0,5 -10`.
 fn parted_by_spaces(line: &str) -> bool {
     let inner = |part: &str| {
         part.matches(',').count() <= 1 && !part.starts_with(',') && !part.ends_with(',')
@@ -175,7 +175,7 @@ mod tests {
         );
     }
 
-    /// Numbers that could be meant in two ways are not guessed: three with a comma each are three, nine in three groups are nine.
+    /// Ambiguous numbers are not guessed: three with a comma each are three, nine in three groups are nine.
     #[test]
     fn commas_between_spaces_part_numbers_only_where_each_group_has_more() {
         assert_eq!(

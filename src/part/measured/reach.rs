@@ -1,4 +1,4 @@
-//! Whether a measured point can be of its touch.
+//! Checks whether measured points can belong to their touches.
 
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -6,7 +6,7 @@ use crate::part::measured::Expected;
 use crate::path::{Path, Purpose};
 use crate::text::text;
 
-/// Reports the points that their touches cannot have reached.
+/// Reports points that their touches cannot have reached.
 pub fn check(checker: &mut Checker, points: &[Option<Vec3>], expected: &Expected<'_>) {
     for (k, away) in out_of_reach(points, expected) {
         let message = text!(
@@ -19,7 +19,7 @@ pub fn check(checker: &mut Checker, points: &[Option<Vec3>], expected: &Expected
     }
 }
 
-/// The points that their touches cannot have reached: the touch, and how far the point is from its nominal contact, mm.
+/// Points that their touches cannot have reached: index of the touch, and distance of the point from its nominal contact, mm.
 pub fn out_of_reach<'a>(
     points: &'a [Option<Vec3>],
     expected: &'a Expected<'_>,
@@ -31,7 +31,7 @@ pub fn out_of_reach<'a>(
         .enumerate()
         .filter_map(move |(k, (point, touch))| {
             let away = (*point)? - touch.contact(expected.radius);
-            // A part that lies nearer triggers anywhere on the way to the contact, from where the touch begins.
+            // On a part that is closer, the touch triggers anywhere between its start and the nominal contact.
             let in_front = away.dot(touch.vector);
             let aside = (away - touch.vector * in_front).length();
             // A cycle that follows a result is shifted by up to its limit.
@@ -48,7 +48,7 @@ pub fn out_of_reach<'a>(
         })
 }
 
-/// How far a touch goes to its nominal contact, mm.
+/// Distance from the start of a touch to its nominal contact, mm.
 fn way_to(path: &Path, touch: usize) -> f64 {
     let Some(i) = path
         .moves
@@ -65,7 +65,7 @@ fn way_to(path: &Path, touch: usize) -> f64 {
     from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
-/// As far from its nominal contact as any touch of a path can trigger, mm.
+/// Largest distance from its nominal contact at which any touch of a path can trigger, mm.
 pub fn farthest(path: &Path) -> f64 {
     let shift = (0..path.moves.len())
         .map(|i| path.farthest_shift(i))

@@ -1,4 +1,4 @@
-//! Results that a control printed: `center.x=1.2345`, `CENTER X= 1.2345`, or `CENTER X 1.2345` as DPRNT prints it.
+//! Reads results that a control printed: `center.x=1.2345`, `CENTER X= 1.2345`, or `CENTER X 1.2345` as DPRNT prints it.
 
 use std::borrow::Cow;
 
@@ -9,10 +9,10 @@ use crate::part::measured::line;
 use crate::part::measured::{Expected, Measured, Numbered, is_numbers, reach, unclear};
 use crate::text::text;
 
-/// The name of a result as programs print it.
+/// Name of a result in programs.
 type Code = Cow<'static, str>;
 
-/// Those of a formula, in the order of its results, and behind them those of the variables in which native cycles keep some.
+/// Names of a formula's results in order, followed by the variables in which native cycles save some.
 fn codes(expected: &Expected<'_>) -> Vec<Code> {
     let formula = &expected.path.formula;
     let variables = expected
@@ -27,7 +27,7 @@ fn codes(expected: &Expected<'_>) -> Vec<Code> {
         .collect()
 }
 
-/// The result with one of these names.
+/// The result with this name.
 fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
     match name.checked_sub(expected.path.formula.results.len()) {
         None => Some(name),
@@ -39,11 +39,11 @@ fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<'a> {
     name: &'a str,
-    /// `None` if that is no number.
+    /// `None` if the text is not a number.
     value: Option<f64>,
 }
 
-/// Every `name=number` of a line, without texts in parentheses. A value that computes (`#1`, `[`) belongs to a block of a program.
+/// Every `name=number` of a line, without texts in parentheses. A computed value (`#1`, `[`) belongs to a block of a program.
 pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     let mut found = Vec::new();
     let mut rest = line;
@@ -74,8 +74,8 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     found
 }
 
-/// The number that a text begins with, and what follows. A control may show it with a decimal comma, `-59,98`: it has digits on both sides, and nothing
-/// directly behind.
+/// The number at the start of a text, and the rest. A control may show it with a decimal comma, `-59,98`: with digits on both sides, and nothing directly after
+/// them.
 fn number(text: &str) -> Option<(f64, &str)> {
     let (whole, rest) = line::number(text)?;
     let read = &text[..text.len() - rest.len()];
@@ -94,7 +94,7 @@ fn number(text: &str) -> Option<(f64, &str)> {
     Some((value, after))
 }
 
-/// `CENTER X 1.2345`: the code of a result and its number, and nothing else.
+/// `CENTER X 1.2345`: the code of a result and its number, without other text.
 fn spaced<'a>(line: &'a str, codes: &[Code]) -> Option<Pair<'a>> {
     let line = line.trim();
     let begins = |code: &str| {
@@ -115,7 +115,7 @@ fn spaced<'a>(line: &'a str, codes: &[Code]) -> Option<Pair<'a>> {
     })
 }
 
-/// The results that a line says.
+/// Results in a line.
 fn stated<'a>(line: &'a str, codes: &[Code]) -> Vec<Pair<'a>> {
     let pairs = pairs(line);
     if pairs.is_empty() {
@@ -125,7 +125,7 @@ fn stated<'a>(line: &'a str, codes: &[Code]) -> Vec<Pair<'a>> {
     }
 }
 
-/// Whether a line has a result of this job.
+/// Whether a line contains a result of this job.
 pub fn known(line: &str, expected: &Expected<'_>) -> bool {
     let codes = codes(expected);
     stated(line, &codes)
@@ -133,7 +133,7 @@ pub fn known(line: &str, expected: &Expected<'_>) -> bool {
         .any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
 }
 
-/// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may occur in the text and are not read.
+/// Reads the results of the formula. Derived rows, such as the shift of an offset, may be in the text and are not read.
 pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
     let (defs, codes) = (&expected.path.formula.results, codes(expected));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
@@ -167,7 +167,7 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     });
     let mut results: Vec<Option<f64>> = scaled.collect();
     let added = expected.path.complete(&mut results);
-    // What a native cycle keeps nowhere is not missed.
+    // A result that no native cycle stores is not missing.
     let kept = |i: usize| {
         let of_relation = expected
             .path
@@ -201,7 +201,7 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     }
 }
 
-/// Takes up one pair.
+/// Adds one pair.
 fn take(
     checker: &mut Checker,
     (number, pair): (usize, Pair<'_>),
@@ -252,7 +252,7 @@ fn take(
     }
 }
 
-/// Rows that follow from the others or from single touches.
+/// Rows derived from others or from single touches.
 const DERIVED: &[&str] = &[
     "offset.x",
     "offset.y",
@@ -267,7 +267,7 @@ const DERIVED: &[&str] = &[
     "form2",
 ];
 
-/// Whether a name ends with a code: in any case, with a blank or nothing in place of a point, and with nothing of a word in front of it.
+/// Whether a name ends with a code: in any case, with a blank or nothing in place of a point, and not inside a longer word.
 fn ends_with(name: &str, code: &str) -> bool {
     let (mut name, mut code) = (name.chars().rev().peekable(), code.chars().rev());
     loop {
@@ -284,8 +284,8 @@ fn ends_with(name: &str, code: &str) -> bool {
     }
 }
 
-/// A length so far from its nominal value that no touch can have made it so: of another job, or in other units. Twice as much as the touches can move
-/// it is allowed, since that is only counted at the nominal place.
+/// Reports a length so far from nominal that no touch can have caused it: from another job, or in other units. Twice the effect of the touches is allowed,
+/// since it is computed only at the nominal position.
 fn check_reach(
     checker: &mut Checker,
     expected: &Expected<'_>,
