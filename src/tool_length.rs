@@ -258,7 +258,7 @@ pub fn sentence(plane: Plane, answer: &Answer) -> Text {
 }
 
 /// NC lines that ask the control itself and stop if its answer differs from that of [`lentoax`]. DEF, the call and MSG follow the manual's notation; the
-/// comparison is ours and not verified on a control [I].
+/// comparison is ours and not verified on a control \[I\].
 pub fn nc_block(query: &Query) -> String {
     let known = ["MCS", "M", "BCS", "B", "WCS", "W", "KCS", "K", "TCS", "T"];
     let upper = query.coord.to_ascii_uppercase();

@@ -1,7 +1,8 @@
-//! A call of a native cycle as a job, where it is one of the documented cycles: from its arguments and the stylus position.
+//! Turns a call of a native cycle into a job, if it is one of the documented cycles: from its arguments and the stylus position.
 //!
-//! What a call does not say has the form's default; the order of the touches is the documented cycle's, not the control's. That Renishaw's Q is counted by the ball's centre behind the nominal surface, so that the overtravel is Q
-//! and the ball's radius, and R from the ball's surface, follows from the macros [I].
+//! Values that a call does not give have the form's defaults; the order of the touches is that of the documented cycle, not the control's. Renishaw's Q counts
+//! from the nominal surface to the ball centre, so the overtravel is Q plus the ball radius; R counts from the surface of the ball. Both follow from the macros
+//! \[I\].
 
 use crate::control::Form;
 use crate::control::native::heidenhain::row;
@@ -15,16 +16,16 @@ use crate::job::{Units, check, default_job_in, job_name};
 /// The parts of a call that a job needs.
 pub(super) struct Called<'a> {
     pub name: &'a str,
-    /// The control of the call, if its name tells: it takes the call and no plain moves.
+    /// Control of the call, if its name tells: it supports the call and no plain moves.
     pub post: Option<&'static str>,
-    /// Names and values of its arguments; NaN is not known.
+    /// Names and values of its arguments; NaN is unknown.
     pub arguments: &'a [(String, f64)],
-    /// Position of the stylus in the program's units; NaN is not known.
+    /// Position of the stylus in the program's units; NaN is unknown.
     pub place: [f64; 3],
     pub metric: bool,
 }
 
-/// What a call says of a job.
+/// Values for a job from a call.
 struct Said {
     cycle: &'static str,
     fields: Vec<(&'static str, f64)>,
@@ -42,11 +43,11 @@ impl Called<'_> {
             .map(|(_, value)| *value)
     }
 
-    /// The job; `None` where the call is not a documented cycle, or does not say enough for one without errors.
+    /// The job; `None` if the call is not a documented cycle, or gives too little for one without errors.
     pub fn job(&self) -> Option<Value> {
         let units = if self.metric { Units::Mm } else { Units::Inch };
         let inch = if self.metric { 1.0 } else { 25.4 };
-        // The ball and the depth of the form.
+        // Ball radius and depth of the form.
         let (radius, depth) = (3.0 / inch, 10.0 / inch);
         let said = match self.name.strip_prefix("G65 P") {
             Some(number) => self.renishaw(number, radius, depth)?,
@@ -72,7 +73,7 @@ impl Called<'_> {
         if let Some(post) = self.post.or(said.post) {
             set(&mut job, "control.post", Value::Text(post.to_owned()));
         }
-        // Of controls that take their own cycles alone.
+        // For controls that support native cycles only.
         if self.post.is_some() || said.post == Some("heidenhain") {
             set(
                 &mut job,
@@ -91,10 +92,10 @@ impl Called<'_> {
             .then_some(job)
     }
 
-    /// Renishaw's macros. That a feature is touched at Z, and from beside it, shows that it is outside, or entered from above where R is negative.
+    /// Renishaw's macros. Z and a move beside the feature mean an outside feature, or entry from above if R is negative.
     fn renishaw(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let [x, y, z] = self.place;
-        // A program of calls has the heights of the stylus tip: a job has those of the ball's centre.
+        // A program of calls has the heights of the stylus tip, a job those of the ball centre.
         let tip = if self.post.is_some() { radius } else { 0.0 };
         let beside = self.get("Z");
         let protected = self.get("R").is_some_and(|r| r < 0.0);
@@ -103,7 +104,7 @@ impl Called<'_> {
         // The touches are at the stylus position, or at Z.
         let center = Vec3::new(x, y, beside.unwrap_or(z) + tip);
         let high = beside.map(|_| z + tip);
-        // Of a surface across Z it is counted from the contact.
+        // For a surface across Z it counts from the contact.
         let mut counted = radius;
         let unknown = |shape| Probed {
             center,
@@ -158,8 +159,8 @@ impl Called<'_> {
         })
     }
 
-    /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
-    /// from the stylus position, if the cycle does.
+    /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is the search distance before and past each wall; 11 is the
+    /// distance down from the stylus position, if the cycle goes down.
     fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         self.get("1")?;
         let at = Vec3::from_array(self.place);
@@ -180,7 +181,7 @@ impl Called<'_> {
                 ..said
             });
         }
-        // The centre that the offset is corrected to, if the call gives one.
+        // Centre that the offset is corrected to, if the call gives one.
         let given = self.get("27") == Some(11.0);
         let mut center = at;
         if given {
@@ -188,7 +189,7 @@ impl Called<'_> {
             (probed.shape == Shape::Width || self.get("29").is_some()).then_some(())?;
             center = probed.center;
         }
-        // Without one it is taken to be at 0, 0: a job has no other place than where the feature is.
+        // Without a centre 0, 0 is assumed: a job has no other position than that of the feature.
         let offset = offset.filter(|_| given || [at.x, at.y] == [0.0; 2]);
         let aside = probed.lifts || !probed.inside;
         center.z -= if aside { probed.down? } else { 0.0 };
@@ -210,7 +211,7 @@ impl Called<'_> {
         })
     }
 
-    /// The cycles of HEIDENHAIN that have a row.
+    /// HEIDENHAIN cycles with a row.
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let probed =
             row(number.parse().ok()?)?.probed(Vec3::NAN, |q| self.get(&format!("Q{q}")))?;
@@ -240,7 +241,7 @@ impl Said {
         }
     }
 
-    /// A surface across an axis, whose touch begins so far from it; none that faces downwards.
+    /// A surface across an axis whose touch begins at this distance; `None` if it faces downwards.
     fn of_surface(probed: &Probed, clearance: f64) -> Option<Said> {
         let (center, tool) = (probed.center, probed.axis == 2);
         let mut fields = vec![
@@ -255,14 +256,14 @@ impl Said {
             (_, true) => return None,
             (_, false) => {}
         }
-        // From where the touch begins up to the clearance height.
+        // From the start of the touch up to the clearance height.
         let begins = center.z + if tool { clearance } else { 0.0 };
         let up = probed.high.map(|high| ("feedDistance", high - begins));
         fields.extend(up.filter(|(_, far)| *far >= 0.0));
         Some(Said::new("surface", fields, center.to_array()))
     }
 
-    /// What is probed, as a documented cycle. `clearance` is the distance from a contact to the start of its touch, `depth` that from the top side down.
+    /// The feature as a documented cycle. `clearance` is the distance from a contact to the start of its touch, `depth` that from the top side down.
     fn of(probed: &Probed, clearance: f64, depth: f64) -> Option<Said> {
         let Probed {
             shape,
@@ -320,7 +321,7 @@ impl Said {
         };
         if let Some(high) = high.filter(|high| *high > top) {
             fields.push(("topClearance", high - top));
-            // Where it does not cross between touches it comes down from there at once.
+            // If it does not cross between touches it comes down directly.
             if inside && !lifts {
                 fields.push(("feedDistance", 0.0));
             }
@@ -420,7 +421,7 @@ mod tests {
         ];
         let hole = job("TCH PROBE 412", &circle, [f64::NAN; 3]).unwrap();
         assert_eq!(touches(&hole)[0], [25.0, 6.0, -5.0]);
-        // The example of a generator's own documents: hole of 32 with a zone of 5, 16 deep, turned by 11, G54, centre at X−3 Y15.
+        // Example from a generator's own documents: hole of 32 with a zone of 5, 16 deep, rotated by 11, G54, centre at X−3 Y15.
         let call = [
             (1, 1101.0),
             (2, 10001.0),
@@ -479,7 +480,7 @@ mod tests {
             crate::job::plan(&wall).unwrap().touches[0].vector,
             [1.0, 0.0, 0.0]
         );
-        // No job comes of unknown values, of a cycle that is not documented, or of a wrong call.
+        // Unknown values, an undocumented cycle and a wrong call give no job.
         assert!(job("G65 P9814", &[("D", 25.0)], [f64::NAN, 2.0, 5.0]).is_none());
         assert!(job("G65 P9812", &[("X", 5.0), ("Y", 5.0)], [0.0; 3]).is_none());
         assert!(

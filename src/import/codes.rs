@@ -1,7 +1,7 @@
 //! Finds CmdPrm codes and their values in any text.
 //!
-//! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds after it in the same line, or the `value` of its
-//! JSON object. Web pages break the cells of a table into lines: a code whose line has no value takes the next line that is one.
+//! `Int[-1]`, `Flt [-101]` or `Bol[-3]` is a code; [`value`] finds its value after it on the same line, or it is the `value` of its JSON object. Web pages
+//! break the cells of a table into lines: a code without a value on its line takes the next line that is a value.
 
 use crate::form::Value;
 use crate::path::Accessor;
@@ -11,14 +11,14 @@ use crate::path::Accessor;
 pub struct Entry {
     pub accessor: Accessor,
     pub code: i32,
-    /// Its value; true is 1.
+    /// Value; true is 1.
     pub value: f64,
 }
 
-/// Every code of a text with its value, in order.
+/// All codes of a text with their values, in order.
 pub fn entries(text: &str) -> Vec<Entry> {
     let mut found = Vec::new();
-    // The last code, where its line has no value.
+    // The last code without a value on its line.
     let mut open: Option<(Accessor, i32)> = None;
     for line in text.lines() {
         let mut next = next_code(line);
@@ -49,7 +49,7 @@ pub fn entries(text: &str) -> Vec<Entry> {
     found
 }
 
-/// The value in a table cell on a separate line: a line that is only a number, or the type in the description of the cycle, `value = 7`.
+/// Value in a table cell on a separate line: a line that is only a number, or the type in the description of the cycle, `value = 7`.
 fn cell(line: &str, code: i32) -> Option<f64> {
     let line = typographic(line);
     let cell = line.trim().trim_matches('|').trim();
@@ -61,7 +61,7 @@ fn cell(line: &str, code: i32) -> Option<f64> {
     whole(cell).or_else(kind)
 }
 
-/// Every code of parsed JSON at any depth: objects with a `code` and a `value`, and objects whose keys are codes.
+/// All codes of parsed JSON at any depth: objects with a `code` and a `value`, and objects whose keys are codes.
 pub fn json_entries(json: &Value) -> Vec<Entry> {
     let mut found = Vec::new();
     collect(json, 0, &mut found);
@@ -148,8 +148,8 @@ fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     None
 }
 
-/// The value after a code: in a table row the first cell that is a number as a whole; else what is after an equals
-/// sign or a colon; else the first number. Typographic minus signs are minus signs.
+/// Value after a code: in a table row the first cell that is a number; else the text after an equals sign or a colon; else the first number. Typographic minus
+/// signs count as minus signs.
 fn value(text: &str) -> Option<f64> {
     let text = typographic(text);
     let text = text.trim_start_matches(['"', '\'', ' ']).trim_end();
@@ -170,7 +170,7 @@ fn value(text: &str) -> Option<f64> {
     whole(text).or_else(|| first(text))
 }
 
-/// A text that is a number or a truth value as a whole: decimal point or comma, thousands apart by spaces.
+/// A text that is a number or a truth value: decimal point or comma, thousands separated by spaces.
 fn whole(text: &str) -> Option<f64> {
     let text = text.trim();
     match text.to_ascii_lowercase().as_str() {
@@ -289,7 +289,7 @@ mod tests {
                 "{text}"
             );
         }
-        // As the pages of the documentation break their tables, with values put in.
+        // Tables broken as on the pages of the documentation, with values inserted.
         let page = "CmdPrm.Int[-1] |\nInteger |\nProbing cycle type: Internal rectangle probing protected value = 7 |\nCmdPrm. Flt [-50] |\nDouble |\nFeed distance, 1 of 2 |\n20,5 |\nCmdPrm.Flt[-51]\n12\n13\nCmdPrm.Flt[-53] |\nWidth 1 |\n";
         let read: Vec<(i32, f64)> = entries(page)
             .iter()
@@ -315,11 +315,11 @@ mod tests {
                 .iter()
                 .map(|e| (e.code, e.value))
                 .collect();
-            // The order of an object's keys says nothing.
+            // The order of an object's keys does not matter.
             read.sort_by_key(|(code, _)| -code);
             read
         };
-        // A decimal comma inside a text is no end of the value; braces inside a text are none of the object.
+        // A decimal comma inside a text does not end the value; braces inside a text do not end the object.
         assert_eq!(
             read(r#"[{ "code": "CmdPrm.Flt[-50]", "meaning": "a } b", "value": "12,5" }]"#),
             [(-50, 12.5)]

@@ -1,6 +1,6 @@
-//! Reads a dump of CmdPrm codes, as it was exported here, or copied out of a log.
+//! Turns a dump of CmdPrm codes, exported here or copied from a log, into a job.
 //!
-//! The codes are found by [`codes`](crate::import::codes); here they become a job.
+//! [`codes`](crate::import::codes) finds the codes.
 
 use std::collections::BinaryHeap;
 
@@ -14,17 +14,17 @@ use crate::job::{default_job, job_name};
 use crate::path::{Accessor, MAX_TOUCHES};
 use crate::text::text;
 
-/// How near the touches of the dimensions must be to those of the dump to be the same, mm.
+/// Tolerance for touches of the dimensions and of the dump to be equal, mm.
 const SAME: f64 = 1e-6;
 
-/// Whether a text names a cycle type by its code.
+/// Whether a text has a cycle type by its code.
 pub fn recognises(text: &str) -> bool {
     crate::import::fits(text, crate::job::LONGEST_TEXT)
         && entries(text).iter().any(|e| e.code == -1)
 }
 
-/// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and the text before the
-/// first is of it. A SubCode that was there already goes with the -1 that follows it.
+/// Codes of each cycle in a text. If the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and the text before the first belongs to it.
+/// A SubCode before a -1 belongs to the -1 that follows.
 fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
     let ends = all.last().is_some_and(|e| e.code == -1);
     let mut blocks: Vec<Vec<Entry>> = vec![Vec::new()];
@@ -51,7 +51,7 @@ fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
     blocks
 }
 
-/// Makes a job of the codes of a dump. Several cycles in one text: the first that probes is taken.
+/// Makes a job from the codes of a dump. Of several cycles in a text the first that probes is taken.
 pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
     let blocks = cycles(all);
@@ -103,7 +103,7 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     Ok(build(block, def, checker))
 }
 
-/// What a block has under a code; the last if there are two.
+/// Value of a code in a block; the last one if there are two.
 fn find(block: &[Entry], code: i32) -> Option<f64> {
     block.iter().rev().find(|e| e.code == code).map(|e| e.value)
 }
@@ -203,7 +203,7 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
     }
 }
 
-/// Codes of the user's own are positive: they are kept as they are, the last value of each, whatever its accessor was before.
+/// Keeps custom codes, which are positive, unchanged: the last value of each, whatever its accessor was before.
 fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
     const MOST: usize = 200;
     let mut own: Vec<Entry> = Vec::new();
@@ -236,7 +236,7 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
     let rows = own
         .iter()
         .map(|e| {
-            // A fraction is no Int, whatever the dump calls it.
+            // A fraction is not an Int, whatever the dump calls it.
             let whole = e.value.fract() == 0.0 && e.value.abs() <= f64::from(i32::MAX);
             let (accessor, value) = match e.accessor {
                 Accessor::Bol => (Accessor::Bol, Value::Flag(e.value != 0.0)),
@@ -255,7 +255,7 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
 
 fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
     let touch = |code: i32| (-296..=-100).contains(&code);
-    // The library's sort would be in the module for this list alone, 4 kB of WebAssembly; a heap is there already.
+    // The library's sort would be in the module for this list only, 4 kB of WebAssembly; a heap is there already.
     let unknown: BinaryHeap<i32> = block
         .iter()
         .map(|e| e.code)
@@ -286,7 +286,7 @@ fn touches(block: &[Entry], base: i32) -> Vec<Pick> {
         .collect()
 }
 
-/// Seven decimals: what a form is written with, whatever arithmetic brought it back.
+/// Seven decimals, as in a form, whatever arithmetic the value has gone through.
 fn tidy(x: f64) -> f64 {
     let rounded = (x * 1e7).round() / 1e7;
     if rounded == 0.0 { 0.0 } else { rounded }
@@ -296,8 +296,7 @@ fn triple(v: Vec3) -> Value {
     Value::List(v.to_array().map(Value::Number).to_vec())
 }
 
-/// Puts the feature where its touches are. Where its dimensions give these very touches, they alone are the job; else the touches
-/// are kept as picked.
+/// Positions the feature by its touches. If its dimensions give exactly these touches, the job has only the dimensions; else the touches are kept as picked.
 fn place_touches(
     block: &[Entry],
     def: &CycleDef,
@@ -355,8 +354,8 @@ fn place_touches(
     }
 }
 
-/// The touches on the surface. Used points are ball centres where dimensions are compensated; the ball is what lies between them and the
-/// original ones, and else not known.
+/// Touches on the surface. Used points are ball centres if dimensions are compensated; the ball radius is the distance to the original points, else it is
+/// unknown.
 fn on_the_surface(
     used: Vec<Pick>,
     original: Vec<Pick>,
@@ -379,7 +378,7 @@ fn on_the_surface(
         return original;
     }
     if compensated && both && radius >= 0.0 && !apart {
-        // Both blocks: between them lies the ball, and nothing else.
+        // Both blocks: they differ by the ball radius only.
         set(job, "stylus.diameter", Value::Number(tidy(2.0 * radius)));
         checker.info(
             "stylus-from-dump",
@@ -398,7 +397,7 @@ fn on_the_surface(
                 "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
             )
         };
-        // The job's ball is the form's default, where the dump does not give one.
+        // The job has the form's default ball if the dump gives none.
         let diameter = match job.get("stylus").and_then(|stylus| stylus.get("diameter")) {
             Some(Value::Number(diameter)) => *diameter,
             _ => 0.0,
@@ -438,14 +437,14 @@ fn pick_value(pick: &Pick) -> Value {
     ])
 }
 
-/// What touches come to in one plane.
+/// Trial of the touches in one plane.
 struct Trial {
     plane: Plane,
-    /// The job with its feature where the touches put it.
+    /// The job with its feature positioned by the touches.
     job: Value,
-    /// Whether the dimensions give these very touches, and the job can say where they are.
+    /// Whether the dimensions give exactly these touches, and the job can express their position.
     fits: bool,
-    /// Whether the feature has sizes that it may have.
+    /// Whether the sizes of the feature are allowed.
     possible: bool,
 }
 
@@ -477,12 +476,12 @@ impl Trial {
             "cycle.rotation",
             Value::Number(tidy(placement.rotation)),
         );
-        // A job says every size and place within its range: what cannot be said so stays as it was picked.
+        // A job has every size and position within its range; others stay as they were picked.
         let field = |key: &str| def.fields.iter().find(|f| f.key == key);
         let within = |x: &f64| field("origin").is_none_or(|f| f.hard.holds(tidy(*x)));
         let mut sound = placement.origin.to_array().iter().all(within);
         for (key, size) in &placement.sizes {
-            // A size with a code of its own is in the dump.
+            // A size with its own code is in the dump.
             if let Some(field) = field(key).filter(|f| f.code.is_empty()) {
                 let size = field.hard.snapped(tidy(*size));
                 sound &= field.hard.holds(size);
@@ -505,7 +504,7 @@ impl Trial {
     }
 }
 
-/// In which plane the touches fit, where that is not plain.
+/// Reports the plane in which the touches fit, if that is ambiguous.
 fn report_plane<'a>(fits: impl Iterator<Item = &'a Trial>, checker: &mut Checker) {
     let planes: Vec<&str> = fits.map(|trial| trial.plane.word()).collect();
     match planes.as_slice() {

@@ -1,4 +1,4 @@
-//! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
+//! Reads programs back: Klartext with cycles 1411 and 1493, and their ISO form.
 
 use crate::control::heidenhain::read::{
     Given, assignments, blocks, is_iso_word, moves, says, shown, transforms, wanted_iso,
@@ -10,22 +10,22 @@ use crate::job::JobError;
 use crate::job::{Units, convert_units, default_job_in, job_name, section_defaults_in};
 use crate::text::text;
 
-/// The cycle of a program without a header.
+/// Cycle of a program without a header.
 const TYPE: &str = "probing-two-circles";
-/// The form inside its form that 1493 fills.
+/// Inner form that 1493 fills.
 const EXTRUSION: &str = "extrusion";
 
 /// A parameter of a block.
 #[derive(Debug)]
 struct Parameter {
     number: u32,
-    /// Its key in the form: `point1[0]`.
+    /// Key in the form: `point1[0]`.
     key: String,
-    /// The key of the flag that is set where GLOBAL DEF gives its value; `None` if a number is required.
+    /// Key of the flag for a value from GLOBAL DEF; `None` if a number is required.
     predefined: Option<&'static str>,
 }
 
-/// The parameters of a form in the order of its fields. A point is three parameters, one after the other.
+/// Parameters of a form in the order of its fields. A point is three consecutive parameters.
 fn parameters(fields: &[Field]) -> Vec<Parameter> {
     let number = |field: &Field| field.code.strip_prefix('Q')?.parse::<u32>().ok();
     let predefined = |field: &Field| {
@@ -72,7 +72,7 @@ pub fn recognises(text: &str) -> bool {
     text.contains("BEGIN PGM") || text.contains("TCH PROBE")
 }
 
-/// Makes a job of a program whose header says it. Where its blocks were changed, what they say counts; the rest is the header's.
+/// Makes a job from a program with a header. Changed blocks override the header.
 pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     let Ok((mut job, said)) = program::read(text) else {
         return import(text);
@@ -89,14 +89,14 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
     let of_header = Value::Text(TYPE.to_owned());
     if job.get("cycle").and_then(|cycle| cycle.get("type")) != Some(&of_header) {
-        // A program of other cycles is the header's job; what differs is said.
+        // A program of other cycles gives the header's job; differences are reported.
         return Ok(Imported::Job {
             job,
             findings: said,
         });
     }
     let (read, notes) = read(text)?;
-    // Blocks that do not say their units are in those of the header.
+    // Blocks without units are in those of the header.
     let unsaid = notes.iter().any(|f| f.code == "units-unknown");
     let units = if unsaid {
         Units::of(&job)
@@ -150,13 +150,13 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     Ok(Imported::Job { job, findings })
 }
 
-/// Makes a job of a program. Any comments, decimal points or commas, Q or QS, block numbers or none; other blocks are passed
-/// over with a note. What a program does not say (stylus, touch probe table, start position) gets the defaults.
+/// Makes a job from a program, with any comments, decimal points or commas, Q or QS, with or without block numbers; other blocks are ignored with a note.
+/// Values that a program does not give (stylus, touch probe table, start position) have the defaults.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     read(text).map(|(job, findings)| Imported::Job { job, findings })
 }
 
-/// The job of a program's blocks, and what must be reported of them.
+/// The job of a program's blocks, with findings.
 fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let blocks = blocks(text);
     let units = if says_inch(&blocks) {
@@ -187,7 +187,7 @@ fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     Ok((job, findings))
 }
 
-/// Whether the text says the name of its program.
+/// Whether the text gives the name of its program.
 fn says_name(blocks: &[String]) -> bool {
     let begins = |block: &String| {
         block.to_ascii_uppercase().starts_with("BEGIN PGM") && block.split_whitespace().count() > 3
@@ -195,7 +195,7 @@ fn says_name(blocks: &[String]) -> bool {
     blocks.iter().any(begins)
 }
 
-/// Whether the text says that it is in inch.
+/// Whether the text is in inch.
 fn says_inch(blocks: &[String]) -> bool {
     let begins = |block: &String| {
         let upper = block.to_ascii_uppercase();
@@ -204,20 +204,20 @@ fn says_inch(blocks: &[String]) -> bool {
     blocks.iter().any(begins) || says(blocks, "G70")
 }
 
-/// What was read so far.
+/// State of reading.
 struct Reader {
     job: Value,
     units: Units,
     checker: Checker,
     extrusion: Value,
-    /// How many cycles 1411.
+    /// Number of cycles 1411.
     found: usize,
     passed_over: usize,
-    /// Whether a block says the plane.
+    /// Whether a block gives the plane.
     plane_said: bool,
-    /// What shifts, turns, mirrors or scales before the cycle.
+    /// Shifts, rotations, mirrors and scales before the cycle.
     transformed: Vec<&'static str>,
-    /// The first block before the cycle that moves, and the first that switches the spindle on.
+    /// First block before the cycle that moves, and first that switches the spindle on.
     moves: Option<String>,
     spins: Option<String>,
 }
@@ -244,12 +244,12 @@ impl Reader {
                 }
             }
             ["END", "PGM", ..] | [] => {}
-            // What is called after the cycle is not the probe.
+            // A tool called after the cycle is not the probe.
             ["TOOL", "CALL", ..] if self.found > 0 => self.passed_over += 1,
             ["TOOL", "CALL", rest @ ..] => self.tool_call(rest),
             ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => self.two_circles(block),
             ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => self.extrusion(block),
-            // ISO words before the cycle: units are looked for beforehand, plane and tool here.
+            // ISO words before the cycle: units are read beforehand, plane and tool here.
             iso if self.found == 0
                 && iso.iter().all(|w| is_iso_word(w))
                 && iso.iter().any(|w| wanted_iso(w)) =>
@@ -277,7 +277,7 @@ impl Reader {
                 .is_some_and(|speed| crate::num::read(speed).is_some())
         };
         match first.parse::<i32>() {
-            // The empty tool is no probe.
+            // The empty tool is not a probe.
             Ok(0) => {}
             Ok(number) => set(
                 &mut self.job,
@@ -323,7 +323,7 @@ impl Reader {
         set(&mut self.job, "cycle", form);
     }
 
-    /// It acts on the cycle that follows it.
+    /// Extrusion probing applies to the cycle after it.
     fn extrusion(&mut self, block: &str) {
         if self.found > 0 {
             return;
@@ -443,7 +443,7 @@ impl Reader {
     }
 }
 
-/// A program does not contain the start position: the default, but not below the positions of the program.
+/// Start position, which a program does not contain: the default, but not below the positions of the program.
 fn raise_start(job: &mut Value) {
     let axis = match job.get("plane") {
         Some(Value::Text(plane)) if plane == "G18" => 1,
@@ -471,7 +471,7 @@ fn raise_start(job: &mut Value) {
         return;
     };
     let needed = match cycle.get("clearanceHeightPredef") {
-        // The default is so far above the touches.
+        // Distance of the default above the touches.
         Some(Value::Flag(true)) => ["point1", "point2"]
             .iter()
             .filter_map(|p| height(cycle.get(p)))
@@ -493,7 +493,7 @@ fn is_geometry(key: &str) -> bool {
         .any(|name| key.starts_with(name))
 }
 
-/// Puts the parameters of a block into the form of its cycle. What the block does not give keeps the form's default; a position or a diameter must be there.
+/// Puts the parameters of a block into the form of its cycle. Missing ones keep the form's default; a position or a diameter is required.
 fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &mut Checker) {
     let known = parameters(fields);
     let given = assignments(block);
@@ -571,7 +571,7 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
     }
 }
 
-/// The number that a form has at a key such as `point1[0]`.
+/// Number of a form at a key such as `point1[0]`.
 fn shown_value(form: &Value, key: &str) -> String {
     let (name, axis) = key.split_once('[').unwrap_or((key, ""));
     let value = match (form.get(name), axis.trim_end_matches(']').parse::<usize>()) {

@@ -1,4 +1,4 @@
-//! A job from text: a dump of a CAM system's parameters, or a program.
+//! Jobs from text: a dump of a CAM system's parameters, or a program.
 
 mod adopt;
 mod codes;
@@ -8,7 +8,7 @@ mod program;
 mod signs;
 pub mod toolpath;
 
-/// What a move of a program does.
+/// Kind of a move in a program.
 pub use crate::control::trace::Kind as TraceKind;
 pub use dump::recognises as is_dump;
 pub use program::{TraceMove, TraceRow};
@@ -19,27 +19,27 @@ use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
 use crate::text::{Text, text};
 
-/// What a text was read as.
+/// Result of reading a text.
 #[derive(Debug)]
 pub enum Imported {
     /// A job, complete or made from parameters.
     Job {
         /// It may have errors: the check reports them.
         job: Value,
-        /// What was ignored, and what could not be known.
+        /// Notes about ignored and unknown parts.
         findings: Vec<Finding>,
     },
-    /// The moves of a program that holds no job.
+    /// The moves of a program without a job.
     Moves {
         /// The moves, to be drawn.
         trace: TraceRow,
-        /// What was ignored, and what could not be known.
+        /// Notes about ignored and unknown parts.
         findings: Vec<Finding>,
     },
 }
 
 impl Imported {
-    /// The job; none of a program of moves.
+    /// The job; `None` for a program of moves.
     pub fn job(&self) -> Option<&Value> {
         match self {
             Imported::Job { job, .. } => Some(job),
@@ -47,7 +47,7 @@ impl Imported {
         }
     }
 
-    /// The moves of a program that holds no job.
+    /// The moves of a program without a job.
     pub fn trace(&self) -> Option<&TraceRow> {
         match self {
             Imported::Job { .. } => None,
@@ -55,7 +55,7 @@ impl Imported {
         }
     }
 
-    /// What was ignored, and what could not be known.
+    /// Notes about ignored and unknown parts.
     pub fn findings(&self) -> &[Finding] {
         match self {
             Imported::Job { findings, .. } | Imported::Moves { findings, .. } => findings,
@@ -63,8 +63,8 @@ impl Imported {
     }
 }
 
-/// Makes a job of a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a program for any control
-/// that was written here, or a Klartext or ISO program with cycle 1411. Of any other program of moves the moves are read, without a job.
+/// Makes a job from a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or copied from a log), a program for any control that was written here, or a
+/// Klartext or ISO program with cycle 1411. For any other program the moves are read, without a job.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     check_length(text)?;
     let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -79,17 +79,17 @@ fn check_length(text: &str) -> Result<(), JobError> {
     }
 }
 
-/// The length of a text as JavaScript counts it, in UTF-16 units.
+/// Length of a text in UTF-16 units, as JavaScript counts it.
 fn length(text: &str) -> usize {
     text.encode_utf16().count()
 }
 
-/// Whether a text has no more than so many UTF-16 units. It has never more of them than bytes.
+/// Whether a text has at most `most` UTF-16 units. It never has more of them than bytes.
 pub(crate) fn fits(text: &str, most: usize) -> bool {
     text.len() <= most || length(text) <= most
 }
 
-/// Refuses a text of so many UTF-16 units.
+/// Refusal of a text with this number of UTF-16 units.
 pub fn too_long(units: usize) -> JobError {
     let message = text!(
         "This text has {size} million characters: a job is made of at most {most} million",
@@ -109,14 +109,14 @@ fn refused_as_too_long(message: Text) -> JobError {
     }
 }
 
-/// The same of a text and of what it says as JSON, where it is JSON.
+/// Makes a job from a text that is already parsed, if it is JSON.
 pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobError> {
     check_length(text)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if let Some(json) = json.filter(|json| matches!(json, Value::Map(_) | Value::List(_))) {
         let codes = codes::json_entries(json);
         let dump = codes.iter().any(|e| e.code == -1);
-        // What says it is a job is taken as it is: nothing of a user's work is dropped, the check says what is wrong.
+        // A text that is a job by its keys is taken unchanged: nothing of a user's work is lost, the check reports faults.
         if matches!(json, Value::Map(_))
             && (json.get("cycle").is_some() || json.get("cycles").is_some() || !dump)
         {
@@ -142,11 +142,11 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
     if dump::recognises(text) {
         return dump::import(&codes::entries(text));
     }
-    // What only looks like a program of moves may be a Klartext one whose comments mention them.
+    // A text that only looks like a program of moves may be a Klartext one whose comments mention them.
     klartext::import(text).or_else(|error| program::trace(text).unwrap_or(Err(error)))
 }
 
-/// Whether a job with this cycle has a place for a value at `path`, such as `cycle.touches[2].point`.
+/// Whether a job with this cycle can have a value at `path`, such as `cycle.touches[2].point`.
 fn has_place(def: &CycleDef, path: &str) -> bool {
     let mut plain = String::new();
     let mut rest = path;
@@ -212,8 +212,7 @@ fn has_place(def: &CycleDef, path: &str) -> bool {
         )
 }
 
-/// Sets a value at a path such as `cycle.touches[2].point[0]`, making what is not there. Nothing is set where the path leads
-/// through a value that is none of these.
+/// Sets a value at a path such as `cycle.touches[2].point[0]` and creates missing parts. Nothing is set if the path leads through another kind of value.
 fn set(job: &mut Value, path: &str, value: Value) {
     const MOST: usize = 1000;
     let (key, rest) = match path.find(['.', '[']) {

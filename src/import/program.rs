@@ -1,5 +1,5 @@
-//! Reads back a program that was written here, whatever control it is for: its header says the job, and its blocks are compared with those
-//! that the job makes. Of a program that says no job the moves are read.
+//! Reads back a program that was written here for any control: its header gives the job, and its blocks are compared with those of that job. A program without
+//! a job gives its moves.
 
 use serde::Serialize;
 
@@ -23,15 +23,15 @@ use crate::job::{
 };
 use crate::text::{Text, text};
 
-/// How many lines that are not understood, or not safe, are listed.
+/// Largest number of listed lines that are not understood, or not safe.
 const MOST_LISTED: usize = 20;
 
-/// The moves of a program that says no job.
+/// The moves of a program without a job.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TraceRow {
-    /// The control whose language it was read in.
+    /// Control whose language it was read in.
     pub control: &'static str,
-    /// `mm`, `inch`, or null where it does not say.
+    /// `mm`, `inch`, or null if the program does not say.
     pub units: Option<&'static str>,
     /// Its moves, in its units.
     pub moves: Vec<TraceMove>,
@@ -40,24 +40,24 @@ pub struct TraceRow {
 /// One move of a program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TraceMove {
-    /// Where it ends; null along an axis that no block has named yet.
+    /// End; null along an axis that no block has named yet.
     pub to: [Option<f64>; 3],
     /// `rapid`, `feed`, `watched`, `touch` or `unchecked`.
     pub kind: Kind,
-    /// Null is a rapid, or a feed that no block has stated.
+    /// Feed; null for a rapid, or if no block has stated one.
     pub feed: Option<f64>,
-    /// The 0-based line that makes it.
+    /// The 0-based line of the move.
     pub line: usize,
 }
 
-/// Whether the header of a text says a job.
+/// Whether the header of a text contains a job.
 pub fn says_job(text: &str) -> bool {
     header::read(text).values.iter().any(|(path, _)| {
         path.eq_ignore_ascii_case("cycle.type") || path.eq_ignore_ascii_case("cycles[0].type")
     })
 }
 
-/// Refuses a text with what no control takes for a blank, whatever reads the rest of it.
+/// Refuses a text with characters that no control treats as blanks.
 pub fn check_signs(text: &str) -> Result<(), JobError> {
     if !lex::hides(text) {
         return Ok(());
@@ -75,12 +75,12 @@ pub fn check_signs(text: &str) -> Result<(), JobError> {
     })
 }
 
-/// Makes a job of a program whose header says it.
+/// Makes a job from a program with a header.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     read(text).map(|(job, findings)| Imported::Job { job, findings })
 }
 
-/// The job of a program's header, and what must be reported of the program.
+/// The job of a program's header, with findings about the program.
 pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let mut checker = Checker::default();
     let said = header::read(text);
@@ -144,10 +144,10 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     Ok((job, checker.findings()))
 }
 
-/// What an examination found; none for a control whose programs are not read.
+/// Result of an examination; `None` for a control whose programs are not read.
 type Examined = Option<Result<Vec<SafetyRow>, Vec<Fault>>>;
 
-/// Reports what an examination of the program found; false where it cannot be read.
+/// Reports the result of an examination; false if the program cannot be read.
 fn report_examined(examined: Examined, plan: Option<&Plan>, checker: &mut Checker) -> bool {
     match examined {
         Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
@@ -174,7 +174,7 @@ fn report_examined(examined: Examined, plan: Option<&Plan>, checker: &mut Checke
             return false;
         }
         Some(Ok(rules)) => {
-            // What the job itself asks for is no change.
+            // A rule that the job itself breaks is not a change.
             let asked = |rule: &str| {
                 plan.is_some_and(|p| {
                     p.safety
@@ -204,7 +204,7 @@ fn report_examined(examined: Examined, plan: Option<&Plan>, checker: &mut Checke
     true
 }
 
-/// The number of the program, where it is another one than the job gives it: a user may have changed it at the control.
+/// Takes the number of the program, if it differs from the job's: a user may have changed it at the control.
 fn take_number(text: &str, job: &mut Value) {
     const MOST: i32 = 9999;
     let own = |line: &str| i32::try_from(lex::program_number(line.trim().as_bytes())?).ok();
@@ -235,7 +235,7 @@ fn written_for_another(job: &Value, text: &str) -> bool {
         .any(|post| post.read.is_some_and(|read| read(text).is_ok()))
 }
 
-/// The job that a header says: `job path=value path=value`.
+/// The job in a header: `job path=value path=value`.
 fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     let find = |path: &str| {
         said.values
@@ -244,7 +244,7 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             .map(|(_, v)| *v)
     };
     let type_at = |path: &str| cycle::find(&find(path)?.to_ascii_lowercase());
-    // Of a set-up its cycles, each by its place in the list.
+    // For a set-up its cycles by their indices.
     let defs: Vec<&CycleDef> = (0..MOST_CYCLES)
         .map_while(|i| type_at(&format!("cycles[{i}].type")))
         .collect();
@@ -326,7 +326,7 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             tolerances.push((code, key, given));
             continue;
         }
-        // On controls that know no small letters all is in capitals.
+        // Controls without small letters have everything in capitals.
         let path = if has_place(def, path) {
             (*path).to_owned()
         } else {
@@ -353,7 +353,7 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     Some(job)
 }
 
-/// The cycle that a path of a set-up is in, by its place in the list, and the path inside.
+/// Index of the cycle in a path of a set-up, and the path inside the cycle.
 fn in_cycle(path: &str) -> Option<(usize, &str)> {
     let inner = path
         .get(..7)
@@ -363,7 +363,7 @@ fn in_cycle(path: &str) -> Option<(usize, &str)> {
     Some((index.parse().ok()?, rest))
 }
 
-/// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.action`, `tolerances.width.wear.tool`.
+/// Result and key of a path in the tolerances: `tolerances.center.x.action`, `tolerances.width.wear.tool`.
 fn of_tolerance(path: &str) -> Option<(String, String)> {
     path.get(..TOLERANCES.len())
         .filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
@@ -394,7 +394,7 @@ fn of_tolerance(path: &str) -> Option<(String, String)> {
         let apart = |at: usize| code.is_char_boundary(at) && (at == 0 || code[..at].ends_with('.'));
         at.is_some_and(|at| apart(at) && code[at..].eq_ignore_ascii_case(own))
     });
-    // `difference.angle` ends as `angle` does.
+    // `difference.angle` also ends like `angle`.
     let own = own.max_by_key(|own| own.len());
     Some((
         own.map_or_else(
@@ -405,7 +405,7 @@ fn of_tolerance(path: &str) -> Option<(String, String)> {
     ))
 }
 
-/// A value of a relation: its name and its type are texts, and so is every item of its list, which is whole or item by item.
+/// Sets a value of a relation: name and type are texts, and so are all items of its list, which is whole or item by item.
 fn set_relation(job: &mut Value, path: &str, given: &str) {
     let text = |text: &str| Value::Text(text.to_owned());
     let value = match given
@@ -421,7 +421,7 @@ fn set_relation(job: &mut Value, path: &str, given: &str) {
     set(job, path, value);
 }
 
-/// The tolerances by their results.
+/// Tolerances grouped by their results.
 fn grouped(given: Vec<(String, String, Value)>) -> Value {
     let mut all: Vec<(String, Value)> = Vec::new();
     for (code, key, value) in given {
@@ -437,7 +437,7 @@ fn grouped(given: Vec<(String, String, Value)>) -> Value {
     Value::Map(all)
 }
 
-/// What a set-up has beside its cycles, as it is spelled.
+/// Other entries of a set-up, in their proper spelling.
 fn of_set_up(path: &str) -> Option<String> {
     let datum = DATUM.iter().map(|key| format!("datum.{key}"));
     std::iter::once("clear".to_owned())
@@ -446,7 +446,7 @@ fn of_set_up(path: &str) -> Option<String> {
         .find(|known| known.eq_ignore_ascii_case(path))
 }
 
-/// A path as the fields spell it.
+/// A path in the spelling of the fields.
 fn spelled(def: &CycleDef, path: &str) -> String {
     let keys = || {
         let sections = SECTIONS
@@ -476,7 +476,7 @@ fn spelled(def: &CycleDef, path: &str) -> String {
     words.collect::<Vec<_>>().join(".")
 }
 
-/// A value as the field spells it: the word of a choice, a cycle's type, true, false, null; a capital after a plus is a small letter.
+/// A value in the spelling of the field: word of a choice, type of a cycle, true, false, null; a capital after a plus is a small letter.
 fn word(def: &CycleDef, path: &str, text: &str) -> String {
     if text.bytes().any(|b| b.is_ascii_lowercase()) {
         return text.to_owned();
@@ -508,7 +508,7 @@ fn word(def: &CycleDef, path: &str, text: &str) -> String {
     small_letters(text)
 }
 
-/// A text in which a plus and a capital mean a small letter.
+/// A text in which a plus and a capital stand for a small letter.
 fn small_letters(text: &str) -> String {
     let mut small = String::new();
     let mut signs = text.chars().peekable();
@@ -524,12 +524,12 @@ fn small_letters(text: &str) -> String {
     small
 }
 
-/// A value of the header. A number is finite; whatever is none is text, and the check reports it.
+/// A value of the header. A number is finite; any other text stays text, and the check reports it.
 fn value(text: &str) -> Value {
     nested(text, 2)
 }
 
-/// `depth` is how many lists may still begin in it.
+/// `depth` is the number of lists that may still begin inside.
 fn nested(text: &str, depth: usize) -> Value {
     match text {
         "true" => Value::Flag(true),
@@ -557,7 +557,7 @@ fn nested(text: &str, depth: usize) -> Value {
     }
 }
 
-/// Reports the first block that is not the one which the header's job makes: the program was changed, or its header was.
+/// Reports the first block that differs from those of the header's job: program or header was changed.
 fn compare(text: &str, said: &HeaderLines<'_>, plan: &Plan, checker: &mut Checker) {
     let post = control::find(plan.program.post);
     let (given, wanted) = (blocks(post, text), blocks(post, &plan.program.text));
@@ -601,7 +601,7 @@ fn compare(text: &str, said: &HeaderLines<'_>, plan: &Plan, checker: &mut Checke
     checker.warning("program-differs", "", message);
 }
 
-/// The blocks of a program with their 0-based lines: without comments that change nothing, numbers of blocks and blanks.
+/// Blocks of a program with their 0-based lines, without comments that have no effect, block numbers and blanks.
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let round = post.is_some_and(|post| post.dialect.comment.0 == "(");
     let mut begun = false;
@@ -619,12 +619,12 @@ fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
         .collect()
 }
 
-/// `O1000`: a user gives a program a free number.
+/// `O1000`: a user chooses a free number for a program.
 fn is_program_number(tokens: &[Token]) -> bool {
     matches!(tokens, [Token::Sign(b'O'), Token::Number(_)])
 }
 
-/// A line without its comment. Some comments in brackets do something.
+/// A line without its comment. Some comments in brackets have an effect.
 fn code(line: &str, round: bool) -> &str {
     let Some(at) = comment_at(line.as_bytes(), round) else {
         return line;
@@ -649,8 +649,8 @@ fn probes(text: &str) -> bool {
         .any(|word| text.contains(word))
 }
 
-/// Reads the moves of a program that says no job: for the first control that understands all of it. `None` if the text is no program: it
-/// neither comes to an end nor probes.
+/// Reads the moves of a program without a job, for the first control that understands all of it. `None` if the text is not a program: it neither ends nor
+/// probes.
 pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut checker = Checker::default();
     let mut least: Option<(&PostDef, Vec<Trouble>)> = None;
@@ -693,7 +693,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
             text!("The program holds no job: its moves are read, but they give no job"),
         );
         let mut findings = checker.findings();
-        // Both readers take places as they are written.
+        // Both readers take positions as written.
         findings.extend(
             read_program(text, None)
                 .findings
@@ -731,7 +731,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     }))
 }
 
-/// Whether a reading knows more of what a program does than the one before it.
+/// Whether a reading knows more about a program than the previous one.
 fn understands_more(trace: &Trace, before: &Trace) -> bool {
     let unchecked = |trace: &Trace| {
         trace
@@ -743,7 +743,7 @@ fn understands_more(trace: &Trace, before: &Trace) -> bool {
     before.steps.is_empty() || unchecked(trace) < unchecked(before)
 }
 
-/// Whether a text may be for this control, by its signs.
+/// Whether a text may be for this control, by its syntax.
 fn may_be_for(post: &PostDef, sign: Option<Sign>, text: &str) -> bool {
     match sign {
         Some(Sign::LinuxCnc) => post.key == "linuxcnc",
@@ -754,9 +754,9 @@ fn may_be_for(post: &PostDef, sign: Option<Sign>, text: &str) -> bool {
     }
 }
 
-/// A text followed as a program for a control, on a part that is not known.
+/// A text traced as a program for a control, on an unknown part.
 fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
-    // Anywhere but at a place that a program may name first.
+    // Any start but a position that a program may name first.
     const ANYWHERE: [f64; 3] = [417.3125, -233.6875, 301.0625];
     let script = (post.read?)(text);
     Some(script.and_then(|script| {

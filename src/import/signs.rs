@@ -1,15 +1,15 @@
-//! Which control a text is written for, by what no other control's programs have.
+//! Recognises the control of a text by syntax that is unique to it.
 
 use crate::control::iso::lex::{after, lines_of, trimmed, without_count, without_number};
 
-/// The control that a text is written for, by its signs.
+/// Syntax that is unique to a control or a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     /// Names in `#< >`, O words: LinuxCNC.
     LinuxCnc,
-    /// `G38.2` and its kin: LinuxCNC, grbl and theirs.
+    /// `G38.2` and related codes: LinuxCNC, grbl and compatible controls.
     Rs274,
-    /// `G31`: Fanuc and its kin.
+    /// `G31`: Fanuc and compatible controls.
     LikeFanuc,
     /// `BEGIN PGM`: HEIDENHAIN Klartext.
     Klartext,
@@ -17,7 +17,7 @@ pub enum Sign {
     RepRap,
 }
 
-/// The keywords of O words, but for those that a label of a SINUMERIK may begin with.
+/// Keywords of O words, except those that a label of a SINUMERIK may begin with.
 const O_WORDS: [&str; 14] = [
     "sub",
     "endsub",
@@ -38,7 +38,7 @@ const O_WORDS: [&str; 14] = [
 /// Parts of RepRapFirmware's expressions that also occur outside of braces.
 const REP_RAP: [&str; 3] = ["param.", "global.", "var."];
 
-/// The first sign in a text. A code of a probing move says less than the rest.
+/// First sign in a text. A code of a probing move is weaker evidence than the others.
 pub fn of(text: &str) -> Option<Sign> {
     let mut probing = None;
     for line in lines_of(text).map(trimmed) {
@@ -49,7 +49,7 @@ pub fn of(text: &str) -> Option<Sign> {
         if is_linuxcnc(code) {
             return Some(Sign::LinuxCnc);
         }
-        // A brace in front is JSON that is not whole.
+        // A leading brace is incomplete JSON.
         let braced = code.contains('{') && code.starts_with(|c: char| c.is_ascii_alphabetic());
         if braced || REP_RAP.iter().any(|word| code.contains(word)) {
             return Some(Sign::RepRap);
@@ -86,7 +86,7 @@ fn probes(code: &str) -> Option<Sign> {
     })
 }
 
-/// The code of a line in front of the first comment or text in it; a comment at its beginning is passed by.
+/// Code of a line before the first comment or text in it; a comment at its start is skipped.
 fn code_of(line: &str) -> &str {
     let mut code = line;
     while let Some((_, rest)) = code

@@ -1,45 +1,45 @@
-//! From the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
+//! Maps the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
 
 use crate::geom::Vec2;
 
 /// A window on the picture plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Pixels in a mm.
+    /// Pixels per mm.
     pub scale: f64,
-    /// The place on the picture plane in the middle of the window, mm.
+    /// Point of the picture plane in the middle of the window, mm.
     pub middle: Vec2,
     /// Width and height of the window.
     pub size: Vec2,
 }
 
-/// Room around a fitted scene, pixels: for axes and numbers.
+/// Margin around a fitted scene, pixels: for axes and numbers.
 pub const MARGIN: f64 = 36.0;
-/// The same in a small drawing without them.
+/// Margin in a small drawing without them.
 pub const SMALL_MARGIN: f64 = 8.0;
-/// The same where there are dimensions around the scene; less in a small picture.
+/// Margin for dimensions around the scene; less in a small picture.
 pub const DIMENSION_MARGIN: f64 = 84.0;
-/// The most of the picture's lesser size that this margin takes.
+/// Largest share of the picture's smaller side for this margin.
 const SHARE: f64 = 0.14;
-/// How far the line of a dimension is from the part, pixels; less in a small picture.
+/// Distance of a dimension line from the part, pixels; less in a small picture.
 const STANDS_OFF: f64 = 46.0;
 
-/// Where the work axes are drawn, pixels from the lower left corner.
+/// Position of the work axes from the lower left corner, pixels.
 pub const AXES_CORNER: f64 = 34.0;
-/// How far the names of the work axes reach from their corner, pixels.
+/// Extent of the work axes with their names, pixels.
 pub const AXES_REACH: f64 = 36.0;
 /// Distance of the scale bar from the lower right corner, pixels.
 pub const BAR_CORNER: f64 = 16.0;
-/// How high the scale bar reaches with its length above it, pixels.
+/// Height of the scale bar with its length above it, pixels.
 pub const BAR_REACH: f64 = 34.0;
 /// Size of the upper right corner where pages put the view cube, pixels.
 pub const CUBE_CORNER: f64 = 112.0;
 
-/// From directions on the picture plane to those in pixels and back: these grow downwards.
+/// Factor from directions on the picture plane to those in pixels and back: pixels grow downwards.
 pub const DOWNWARDS: Vec2 = Vec2::new(1.0, -1.0);
 
 impl Camera {
-    /// A window that shows `bounds` with so many pixels around.
+    /// A window that shows `bounds` with a margin in pixels.
     pub fn fit(size: Vec2, [low, high]: [Vec2; 2], margin: f64) -> Self {
         let room =
             (size - 2.0 * margin).max(Vec2::splat(20.0)) / (high - low).max(Vec2::splat(1e-3));
@@ -50,17 +50,17 @@ impl Camera {
         }
     }
 
-    /// Room around a scene for its dimensions, pixels.
+    /// Margin around a scene for its dimensions, pixels.
     pub fn dimension_margin(&self) -> f64 {
         crate::num::within(self.size.min_element() * SHARE, 30.0, DIMENSION_MARGIN)
     }
 
-    /// How far the line of a dimension is from the part, pixels.
+    /// Distance of a dimension line from the part, pixels.
     pub fn stands_off(&self) -> f64 {
         STANDS_OFF * self.dimension_margin() / DIMENSION_MARGIN
     }
 
-    /// A round length for the scale bar, in units of so many millimetres.
+    /// A round length for the scale bar in units of the job. `unit` is mm in a unit.
     pub fn bar(&self, unit: f64) -> f64 {
         let most = 110.0 / self.scale / unit;
         let power = 10f64.powi(most.log10().floor() as i32);
@@ -71,24 +71,24 @@ impl Camera {
             .unwrap_or(power)
     }
 
-    /// Where a spot is seen.
+    /// Pixel of a point.
     pub fn pixel(&self, spot: Vec2) -> Vec2 {
         self.size / 2.0 + (spot - self.middle) * DOWNWARDS * self.scale
     }
 
-    /// The spot seen at a pixel.
+    /// Point at a pixel.
     pub fn spot(&self, pixel: Vec2) -> Vec2 {
         self.middle + (pixel - self.size / 2.0) * DOWNWARDS / self.scale
     }
 
-    /// Closer by `factor`; the spot at `pixel` stays there.
+    /// Zooms in by `factor`; the point at `pixel` stays there.
     pub fn zoom(&mut self, factor: f64, pixel: Vec2) {
         let before = self.spot(pixel);
         self.scale = crate::num::within(self.scale * factor, 1e-4, 1e6);
         self.middle = self.middle + before - self.spot(pixel);
     }
 
-    /// The picture is dragged by so many pixels.
+    /// Drags the picture by pixels.
     pub fn pan(&mut self, by: Vec2) {
         self.middle -= by * DOWNWARDS / self.scale;
     }

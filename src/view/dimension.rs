@@ -1,4 +1,4 @@
-//! The dimensions of a feature as a drawing has them: its field, its ends, and the side of its line.
+//! Dimensions of a feature as on a drawing: field, ends, and side of the line.
 
 use crate::geom::Vec3;
 use crate::path::{
@@ -8,33 +8,32 @@ use crate::path::{
 /// A dimension of the nominal part, in the work coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimension {
-    /// The path of the job's field that says it.
+    /// Path of the job field with its value.
     pub field: &'static str,
-    /// Where it begins, mm.
+    /// First end, mm.
     pub from: Vec3,
-    /// Where it ends, mm; its length is the field's value.
+    /// Second end, mm; the length is the field's value.
     pub to: Vec3,
-    /// Side of its line, a unit vector square to it.
+    /// Side of its line, a unit vector perpendicular to it.
     pub aside: Vec3,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
 }
 
-/// An angle of the nominal part: between two directions at a place.
+/// An angle of the nominal part, between two directions at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angle {
-    /// The path of the job's field that says it.
+    /// Path of the job field with its value.
     pub field: &'static str,
     /// Its vertex, mm.
     pub at: Vec3,
     /// The directions of its two sides, unit vectors.
     pub sides: [Vec3; 2],
-    /// How far from its vertex the nearest touch is, mm: its arc and its name end before that.
+    /// Distance from its vertex to the nearest touch, mm: its arc and its name end before that.
     pub room: f64,
 }
 
-/// The angles of what a path probes: between the walls of a corner, and of a surface's target vector up from the plane. None if the touches
-/// were picked.
+/// Angles of a path's feature: between the walls of a corner, and elevation of a surface's target vector. Empty if the touches were picked.
 pub fn angles(path: &Path) -> Vec<Angle> {
     let frame = path.frame;
     let (field, at, sides) = match &path.feature {
@@ -81,7 +80,7 @@ pub fn angles(path: &Path) -> Vec<Angle> {
     }]
 }
 
-/// The dimensions of what a path probes; none if the touches were picked, since then they say nothing of where it lies.
+/// Dimensions of a path's feature; empty if the touches were picked, since then they do not position it.
 pub fn dimensions(path: &Path) -> Vec<Dimension> {
     if path.picked {
         return Vec::new();
@@ -99,7 +98,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
     all
 }
 
-/// How far the last move lifts, straight up from where the path began; there is no such move where the distance is 0.
+/// Height of the last lift, straight up from the start of the path; there is no such move if the distance is 0.
 fn lift(path: &Path) -> Option<Dimension> {
     let (field, [.., before, last]) = (path.lift?, path.moves.as_slice()) else {
         return None;
@@ -115,7 +114,7 @@ fn lift(path: &Path) -> Option<Dimension> {
     })
 }
 
-/// Where the ball is when a touch begins.
+/// Ball centre at the start of a touch.
 fn begin_of(path: &Path, touch: usize) -> Option<Vec3> {
     let i = path
         .moves
@@ -124,7 +123,7 @@ fn begin_of(path: &Path, touch: usize) -> Option<Vec3> {
     Some(path.moves[i.checked_sub(1)?].to)
 }
 
-/// Of a surface: from it to where its touch begins.
+/// Dimensions of a surface: distance of the start of its touch.
 fn surface(path: &Path, point: &Point) -> Vec<Dimension> {
     let (Some(touch), Some(to)) = (path.touches.first(), begin_of(path, 0)) else {
         return Vec::new();
@@ -142,7 +141,7 @@ fn surface(path: &Path, point: &Point) -> Vec<Dimension> {
     }]
 }
 
-/// Of a wall: from touch to touch, and from it to where a touch begins.
+/// Dimensions of a wall: from touch to touch, and distance of the start of a touch.
 fn straight(path: &Path, wall: &Straight) -> Vec<Dimension> {
     let [first, second] = path.touches.as_slice() else {
         return Vec::new();
@@ -169,13 +168,13 @@ fn straight(path: &Path, wall: &Straight) -> Vec<Dimension> {
     ]
 }
 
-/// The middle of a feature, on its top side.
+/// Middle of a feature, on its top side.
 fn middle(path: &Path) -> Vec3 {
     let (origin, w) = (path.frame.origin, path.frame.w);
     origin + w * (path.top.unwrap_or(origin.dot(w)) - origin.dot(w))
 }
 
-/// From one side of the middle to the other, so far aside from it.
+/// Dimension across the middle, offset by `aside`.
 fn across(path: &Path, width: Entry, along: Vec3, aside: Vec3, far: f64) -> Dimension {
     let (center, half, edge) = (middle(path), along * (width.value / 2.0), aside * far);
     Dimension {
@@ -187,7 +186,7 @@ fn across(path: &Path, width: Entry, along: Vec3, aside: Vec3, far: f64) -> Dime
     }
 }
 
-/// From the top side down to the touches, so far from the middle.
+/// Dimension from the top side down to the touches, at distance `far` from the middle.
 fn deep(path: &Path, depth: Entry, far: f64) -> Dimension {
     let (u, w) = (path.frame.u, path.frame.w);
     let out = u * far;
@@ -201,7 +200,7 @@ fn deep(path: &Path, depth: Entry, far: f64) -> Dimension {
     }
 }
 
-/// Of a hole or a boss.
+/// Dimensions of a hole or a boss.
 fn round(path: &Path, bore: &Bore) -> Vec<Dimension> {
     let mut all = vec![
         across(path, bore.diameter, path.frame.u, -path.frame.v, 0.0),
@@ -215,7 +214,7 @@ fn round(path: &Path, bore: &Bore) -> Vec<Dimension> {
     all
 }
 
-/// Of opposite walls: each width at the end of its walls, next to the other pair if there is one.
+/// Dimensions of opposite walls: each width at the end of its walls, next to the other pair if there is one.
 fn opposite(path: &Path, pairs: &Pairs) -> Vec<Dimension> {
     let (u, v) = (path.frame.u, path.frame.v);
     let directions = [(u, -v), (v, -u)];
@@ -255,7 +254,7 @@ fn opposite(path: &Path, pairs: &Pairs) -> Vec<Dimension> {
     all
 }
 
-/// From a wall to where its touch begins.
+/// Dimension from a wall to the start of its touch.
 fn before(path: &Path, clearance: Entry, touch: usize) -> Option<Dimension> {
     let touch = path.touches.get(touch)?;
     let to = touch.point + touch.vector * clearance.value;
@@ -269,7 +268,7 @@ fn before(path: &Path, clearance: Entry, touch: usize) -> Option<Dimension> {
     })
 }
 
-/// From the top side, over the first touch, up to where the ball crosses.
+/// Dimension from the top side, above the first touch, up to the crossing height.
 fn above(path: &Path, crossing: Entry) -> Option<Dimension> {
     let (touch, height, w) = (path.touches.first()?, path.top?, path.frame.w);
     let from = touch.point + w * (height - touch.point.dot(w));
@@ -282,7 +281,7 @@ fn above(path: &Path, crossing: Entry) -> Option<Dimension> {
     })
 }
 
-/// Of the walls of a corner: from the first touch to where it begins, to the next touch, and, outside, from the corner at its level.
+/// Dimensions of a corner's walls: from the first touch to its start, to the next touch, and, outside, from the corner at its level.
 fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
     let (origin, w) = (path.frame.origin, path.frame.w);
     let mut all = Vec::new();
@@ -295,7 +294,7 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
         let Some((k, first)) = touches.next() else {
             continue;
         };
-        // Beside the corner, where no other touch is.
+        // Beside the corner, away from the other touches.
         let along = w
             .cross(first.vector)
             .try_normalize()
@@ -315,7 +314,7 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
                 on_demand: true,
             });
         }
-        // Behind the wall; of a corner from outside in front of the touches, since one wall is behind the other.
+        // Behind the wall; for a corner from outside in front of the touches, since one wall is behind the other.
         let (aside, off) = if corner.outside {
             (
                 first.vector,
@@ -349,14 +348,14 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
     all
 }
 
-/// Of a corner that is touched on its top side, too: how deep its walls are touched, and where the top side is.
+/// Dimensions of a corner that is also touched on its top side: depth of the wall touches, and position of the top touch.
 fn on_top(path: &Path, top: &Top, all: &mut Vec<Dimension>) {
     let [first, second, third] = path.touches.as_slice() else {
         return;
     };
     let (origin, w) = (path.frame.origin, path.frame.w);
     let level = w * (origin - first.point).dot(w);
-    // Away from both walls, so that it is seen in front and side view.
+    // Away from both walls, so that it is visible in front and side view.
     let aside = (first.vector + second.vector)
         .try_normalize()
         .unwrap_or(first.vector);

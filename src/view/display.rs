@@ -1,5 +1,5 @@
-//! The display list of a part: what canvas and SVG draw of its walls and top sides, in pixels and in order. They differ in what a fill is (veils of the
-//! theme's colours on a canvas, plain colours on paper), and so each plays it by itself; what is said of it is in [`crate::view::layout`].
+//! Display list of a part: walls and top sides for canvas and SVG, in pixels and in drawing order. They differ in their fills (veils of the theme's colours on
+//! a canvas, plain colours on paper), so each draws the list itself; [`crate::view::layout`] has the texts.
 
 use crate::geom::Vec2;
 use crate::view::camera::Camera;
@@ -7,10 +7,10 @@ use crate::view::scene::Scene;
 use crate::view::scene::top_faces::{Face, together};
 use crate::view::walls::WallShape;
 
-/// What is drawn in one.
+/// An item that is drawn at once.
 #[derive(Debug)]
 pub enum Item<'a> {
-    /// Here belong the lines and the touches behind what has this top side: it hides of them what it hides.
+    /// Position of the lines and touches behind this top side, which hides them.
     Behind(usize),
     /// A wall, or strips of a round one.
     Walls(Walls<'a>),
@@ -18,19 +18,19 @@ pub enum Item<'a> {
     Top(Vec<Vec2>),
 }
 
-/// A wall, or the strips of a round one, which have no seams.
+/// A wall, or the strips of a round one, drawn without seams.
 #[derive(Debug)]
 pub struct Walls<'a> {
-    /// The first of them: the others look as it does.
+    /// The first of them: the others look the same.
     pub wall: &'a WallShape,
-    /// What is seen edge-on: lines that continue from strip to strip, and so do their dashes.
+    /// Walls seen edge-on: lines that continue from strip to strip, with their dashes.
     pub lines: Vec<Vec<Vec2>>,
-    /// The corners of all others. The first two and the last two are the ends of a strip's edges.
+    /// Corners of all others. The first two and the last two are the ends of a strip's edges.
     pub outlines: Vec<[Vec2; 4]>,
 }
 
 impl Scene {
-    /// What is drawn of walls and top sides, the virtual part's where that `deviates`.
+    /// Display list of walls and top sides; with those of the virtual part if it `deviates`.
     pub fn display(&self, camera: &Camera, deviates: bool) -> Vec<Item<'_>> {
         let faces = self.faces(deviates);
         faces

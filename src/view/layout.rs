@@ -1,4 +1,4 @@
-//! Positions and texts of dimensions and angles in a picture: in free areas if there are any.
+//! Layout of dimensions and angles in a picture: in free areas if there are any.
 
 use crate::geom::Vec2;
 use crate::view::camera::{
@@ -11,49 +11,49 @@ use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
 /// Distance of a dimension line that comes with the focus from the part, pixels.
 const ON_DEMAND: f64 = 16.0;
-/// In the place of a field that has the focus: every height is drawn.
+/// Stands for the focused field: all heights are drawn.
 const EVERY: &str = "*";
-/// Its distance from anything else that reaches beyond the part.
+/// Its distance from anything else that extends beyond the part.
 const CLEAR: f64 = 18.0;
-/// Half the height of a name with the room around it.
+/// Half the height of a name with its margin.
 const HIGH: f64 = 12.0;
-/// A line is drawn with its arrow heads between its ends where it is as long as this, else they point at them from outside.
+/// A line at least this long has its arrow heads between its ends; otherwise they point at them from outside.
 const HEADS: f64 = 28.0;
 
-/// The radius of an angle's arc, pixels, where there is room for it.
+/// Radius of an angle's arc, pixels, if there is room for it.
 const ANGLE_RADIUS: f64 = 54.0;
-/// A name has room where the nearest touch is farther than this from the vertex, pixels.
+/// A name has room if the nearest touch is farther than this from the vertex, pixels.
 const ROOM_FOR_NAME: f64 = 90.0;
 
-/// A dimension as it is drawn, pixels.
+/// A laid-out dimension, pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
     pub drawn: &'a Drawn,
-    /// Where its extension lines begin.
+    /// Start of its extension lines.
     pub ends: [Vec2; 2],
-    /// The ends of its line.
+    /// Ends of its line.
     pub line: [Vec2; 2],
-    /// From where to where the line is drawn: beyond its ends to arrow heads outside and to its name.
+    /// Drawn ends of the line: beyond its ends to outer arrow heads and to its name.
     pub reach: [Vec2; 2],
-    /// Whether its arrow heads lie between its ends.
+    /// Whether its arrow heads are between its ends.
     pub within: bool,
-    /// Where its name is written.
+    /// Position of its name.
     pub name: Plate,
 }
 
-/// An angle as it is drawn, pixels.
+/// A laid-out angle, pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Arc<'a> {
     pub angle: &'a DrawnAngle,
     /// Its vertex.
     pub at: Vec2,
     pub radius: f64,
-    /// The far ends of its two sides, a little beyond the arc.
+    /// Far ends of its two sides, a little beyond the arc.
     pub sides: [Vec2; 2],
-    /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
+    /// Ends of the arc, each with the direction of its arrow head; `None` on an arc that is too short for them.
     pub heads: Option<[(Vec2, Vec2); 2]>,
     pub ends: [Vec2; 2],
-    /// Its name; `None` if that would cover touches.
+    /// Its name; `None` if it would cover touches.
     pub name: Option<Plate>,
 }
 
@@ -64,12 +64,12 @@ pub struct Layout<'a> {
     /// The angles.
     pub arcs: Vec<Arc<'a>>,
     pub dimensions: Vec<Placed<'a>>,
-    /// All that is in the picture.
+    /// Everything in the picture.
     pub crowd: Crowd,
 }
 
 impl Placed<'_> {
-    /// The tips of its arrow heads, and where they point.
+    /// Tips of its arrow heads, and their directions.
     pub fn heads(&self) -> [(Vec2, Vec2); 2] {
         let [start, end] = self.line;
         let out =
@@ -78,7 +78,7 @@ impl Placed<'_> {
     }
 }
 
-/// The way along a line from which a name on it is read: from below, or from the right.
+/// Reading direction along a line: from below, or from the right.
 fn readable(way: Vec2) -> Vec2 {
     if way.x < -1e-6 || (way.x < 1e-6 && way.y > 0.0) {
         -way
@@ -88,7 +88,7 @@ fn readable(way: Vec2) -> Vec2 {
 }
 
 impl Layout<'_> {
-    /// What the angles and the dimensions say, with their fields' paths and places.
+    /// Texts of the angles and the dimensions, with the paths of their fields and their positions.
     pub fn names<'n>(
         &self,
         names: &'n [(&'static str, String)],
@@ -112,7 +112,8 @@ impl Layout<'_> {
         said
     }
 
-    /// Where the scale bar lies on nothing, so wide and high by half: in the lower right corner, else in another one; `None` if each has something. The upper right corner is kept free for the page's view cube.
+    /// Free position of the scale bar, with this half size: in the lower right corner, else in another one; `None` if all are occupied. The upper right corner
+    /// is kept free for the page's view cube.
     pub fn bar(&self, camera: &Camera, half: Vec2) -> Option<Vec2> {
         let far = camera.size - half - BAR_CORNER;
         let near = half + BAR_CORNER;
@@ -164,7 +165,7 @@ impl Layout<'_> {
 }
 
 impl Camera {
-    /// A window of this size that shows a whole scene with its dimensions, as every picture begins.
+    /// A window of this size that shows a whole scene with its dimensions: the initial view of every picture.
     pub fn whole(size: Vec2, scene: &Scene) -> Self {
         let empty = Camera {
             scale: 1.0,
@@ -176,7 +177,7 @@ impl Camera {
         camera
     }
 
-    /// Room around a fitted scene, pixels.
+    /// Margin around a fitted scene, pixels.
     pub fn margin(&self, scene: &Scene) -> f64 {
         if scene.dimensions.is_empty() {
             MARGIN
@@ -215,7 +216,7 @@ impl Camera {
             }
         }
         let up = under.min((top - MARGIN).max(0.0));
-        // Nor onto the axes.
+        // Without covering the axes.
         let least = if self.pixel(low).y - up > axes[1] {
             axes[0]
         } else {
@@ -230,8 +231,8 @@ impl Camera {
         self.pan(-Vec2::new(across, up));
     }
 
-    /// The arrow head of a line, its tip, its way and its size: of a touch at its contact, of any other move on its way, where it is long enough for
-    /// one there and one back. The way back along a touch has none.
+    /// Arrow head of a line: tip, direction and size. For a touch at its contact, for any other move along it, if it is long enough for one in each direction.
+    /// The retract along a touch has none.
     pub fn head(&self, line: &Line) -> Option<(Vec2, Vec2, f64)> {
         let (start, end) = (self.pixel(line.from), self.pixel(line.to));
         let far = start.distance(end);
@@ -245,7 +246,7 @@ impl Camera {
             .then(|| (start + way * tip, way, if far < 12.0 { 7.0 } else { 9.0 }))
     }
 
-    /// Lays out what is drawn while a field has the focus, or none. What comes with the focus moves nothing that is there.
+    /// Lays out the picture with an optional focused field. A dimension that appears with the focus moves nothing else.
     pub fn layout<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Layout<'a> {
         let (crowd, numbers) = (Crowd::of(scene, self), self.numbers(scene));
         let mut layout = Layout {
@@ -279,8 +280,8 @@ impl Camera {
         layout
     }
 
-    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is. The name lies on the line
-    /// where there is room between the arrow heads; else beyond one end or the other, or beside it.
+    /// Position of a dimension and its name: the first one that covers nothing, else the one that covers least. The name is on the line if there is room
+    /// between the arrow heads; else beyond one of the ends, or beside the line.
     fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
         let ends = drawn.ends.map(|spot| self.pixel(spot));
         let long = ends[0].distance(ends[1]).max(1e-9);
@@ -289,7 +290,7 @@ impl Camera {
         let tail = if within { 0.0 } else { 16.0 };
         let half = Vec2::new(drawn.wide / 2.0, HIGH);
         let along = readable(way);
-        // The name from the middle of the line, along it and across, and how far the line goes to it beyond each end.
+        // Distance of the name from the middle of the line, along and across, and length of the line to it beyond each end.
         let off = half.x + f64::max(tail, 10.0);
         let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
         let beside_it = [
@@ -298,7 +299,7 @@ impl Camera {
             [0.0, beside, 0.0, 0.0],
             [0.0, -beside, 0.0, 0.0],
         ];
-        // Between its arrow heads, with a little of the line seen: in the middle, or beside other names.
+        // Between its arrow heads, with a little of the line visible: in the middle, or beside other names.
         let off_middle = ((long - drawn.wide) / 2.0 - 12.0).min(long / 4.0);
         let on_it = [
             [0.0; 4],
@@ -310,7 +311,7 @@ impl Camera {
             true => 1,
             false => 0,
         };
-        // Off the line only where everything on it covers more than a few moves.
+        // Beside the line only if every position on it covers more than a few moves.
         let off_line = if on_line > 0 { 100.0 } else { 0.0 };
         let ranked = |k: usize| 4.0 * k as f64;
         let places: Vec<([f64; 4], f64)> = (on_it
@@ -350,7 +351,7 @@ impl Camera {
         let first = places[0].0;
         let mut best = placed(own, 0.0, stands_off, first);
         let mut least = f64::INFINITY;
-        // What comes with the focus changes sides only where there is no room on its own.
+        // A dimension that appears with the focus changes sides only if there is no room on its own side.
         let other = if drawn.either { 0.1 } else { 100.0 };
         let sides = [(own, 0.0), (-own, other)];
         let mut tries = |places: &[([f64; 4], f64)]| {
@@ -360,12 +361,12 @@ impl Camera {
                 1
             }) {
                 let [begins, walls, all] = crowd.beside(ends, side);
-                // Extension lines begin where the part ends.
+                // Extension lines begin at the end of the part.
                 let (begin, near) = if drawn.on_demand {
                     (0.0, ON_DEMAND)
                 } else {
                     let (close, clear) = (walls + stands_off, all + clear + HIGH);
-                    // Clear of all that reaches beyond the part, where that is still in the picture.
+                    // Clear of everything that extends beyond the part, if that is still in the picture.
                     let seen = placed(side, begins, clear, first)
                         .name
                         .bounds()
@@ -377,7 +378,7 @@ impl Camera {
                     let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
                     for (place, rank) in places {
                         let one = placed(side, begin, far, *place);
-                        // A name on the line, and a line that is not seen.
+                        // A name on the line, and a line that cannot be seen.
                         let line = one.line;
                         let struck = crowd
                             .plates
@@ -398,7 +399,7 @@ impl Camera {
             }
             least
         };
-        // Every one of these is cut off by the edge or covers another name: then beside the line, away from its middle.
+        // If each of these is cut off by the edge or covers another name: beside the line, away from its middle.
         if tries(&places) >= CUT_OFF {
             // Up to the ends of the line, or just clear of a number in its middle.
             let shifts = [(long - drawn.wide).max(0.0) / 2.0, half.x + 2.0 * HIGH];
@@ -411,7 +412,7 @@ impl Camera {
         best
     }
 
-    /// An angle that is drawn; one whose field has the focus has its name in any case.
+    /// An angle; the focused field always has its name.
     fn arc<'a>(&self, angle: &'a DrawnAngle, focus: Option<&str>, crowd: &Crowd) -> Arc<'a> {
         let at = self.pixel(angle.at);
         let room = angle.room * self.scale;
@@ -423,7 +424,7 @@ impl Camera {
         // Along the arc, away from its middle.
         let head = |end: usize, sense: f64| (ends[end], way(sides[end]).perp() * -sense);
         let named = room > ROOM_FOR_NAME || focus == Some(angle.field);
-        // Beyond the arc, as near as it covers the least.
+        // Beyond the arc, as close as possible with the least covered.
         let plate = |far: f64| Plate {
             middle: at + way(first + turn / 2.0) * far,
             along: Vec2::X,

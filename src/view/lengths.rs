@@ -1,21 +1,21 @@
-//! The picture of the tool lengths: arrows from one origin.
+//! Picture of the tool lengths: arrows from one origin.
 
 use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::tool_length::{self, Query};
 use crate::view::scene::Projection;
 
-/// What an arrow of a tool-length picture is.
+/// Kind of an arrow in a tool-length picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arrow {
-    /// An axis of the coordinate system that is asked for.
+    /// An axis of the requested coordinate system.
     Axis,
-    /// An axis of the base system, where the workpiece system is turned against it.
+    /// An axis of the base system, if the workpiece system is rotated against it.
     Base,
     /// L1, L2 or L3.
     Length,
 }
 
-/// The arrows of a tool-length picture, from the origin: what each is, its name, and its tip in an isometric view.
+/// Arrows of a tool-length picture, from the origin: kind, name, and tip in an isometric view.
 pub fn arrows(query: &Query) -> Vec<(Arrow, String, Vec2)> {
     let spot = |v: Vec3| Projection::Isometric.place(Plane::G17, v);
     let mut all: Vec<(Arrow, String, Vec2)> = (0..3)
@@ -32,7 +32,7 @@ pub fn arrows(query: &Query) -> Vec<(Arrow, String, Vec2)> {
         return all;
     }
     if query.coord.to_ascii_uppercase().starts_with('W') && !query.frame.is_empty() {
-        // BCS = F · WCS, so a base axis is seen from the workpiece as a row of F.
+        // BCS = F · WCS, so a base axis seen from the workpiece is a row of F.
         let (frame, _) = tool_length::frame(&query.frame);
         for (axis, name) in AXIS_NAMES.into_iter().enumerate() {
             all.push((Arrow::Base, format!("{name}0"), spot(frame.row(axis) * 1.2)));

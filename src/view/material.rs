@@ -1,33 +1,33 @@
-//! The material behind what is seen edge-on, as a section shows it: filled and hatched. Air stays empty.
+//! Material behind edges, as a section shows it: filled and hatched. Air stays empty.
 
 use crate::geom::{Frame, Vec2, Vec3};
 use crate::path::{Surface, Wall};
 use crate::view::camera::Camera;
 use crate::view::walls::{area, shape, strips};
 
-/// Material behind a wall that is seen edge-on, or around or within one that is seen as a circle. On the picture plane, mm.
+/// Material behind a wall seen edge-on, or around or within one seen as a circle. On the picture plane, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Material {
-    /// Behind a wall that is seen edge-on.
+    /// Behind a wall seen edge-on.
     Behind {
         edge: Edge,
-        /// Which ends meet another line: there the material continues past the end, so that no corner is left out.
+        /// Ends that meet another line: there the material continues past the end, so that no corner is missing.
         meets: [bool; 2],
-        /// The other lines of the same body, each as a point and the way into the material: it lies behind all of them.
+        /// Other lines of the same body, each as a point and the direction into the material, which is behind all of them.
         bounds: Vec<(Vec2, Vec2)>,
-        /// How far behind it other walls go on: it is filled as far as these.
+        /// Depth to which other walls continue behind it: it is filled at least that far.
         least: f64,
     },
-    /// A surface that is looked at, with nothing beside it.
+    /// A surface that is seen face on, with nothing beside it.
     Face { corners: [Vec2; 4] },
-    /// Around a hole, as far as its plate reaches.
+    /// Around a hole, to the radius of its plate.
     Around {
         center: Vec2,
         radius: f64,
         /// From the middle to the end of the plate.
         reach: f64,
     },
-    /// A stock, with the outlines of what is open in it.
+    /// A stock, with the outlines of its openings.
     Body {
         outline: Vec<Vec2>,
         open: Vec<Vec<Vec2>>,
@@ -36,25 +36,25 @@ pub enum Material {
     Within { center: Vec2, radius: f64 },
 }
 
-/// Longer than any part, mm: where a body is bounded on two opposite sides, it is filled from one to the other.
+/// Longer than any part, mm: a body bounded on two opposite sides is filled from one to the other.
 const FAR: f64 = 1e6;
 
-/// Corners of a drawn circle.
+/// Number of corners of a drawn circle.
 const CORNERS: usize = 120;
 
-/// A wall that is seen edge-on.
+/// A wall seen edge-on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     pub ends: [Vec2; 2],
-    /// The way into the material, of length one.
+    /// Direction into the material, a unit vector.
     pub into: Vec2,
-    /// What it bounds: of two surfaces only flat ones can bound the same body.
+    /// The body that it bounds, with the kind of surface: only flat surfaces can bound the same body.
     pub body: (usize, usize),
-    /// How far behind it the material reaches.
+    /// Depth of the material behind it.
     pub reach: f64,
 }
 
-/// The material of the surfaces. `spot` is where a place is seen; `circles` says whether round walls are seen as circles.
+/// Material of the surfaces. `spot` projects a position; `circles` tells whether round walls are seen as circles.
 pub fn material(
     surfaces: &[Surface],
     frame: &Frame,
@@ -125,7 +125,7 @@ pub fn material(
                 .filter(move |(j, _)| *j != k)
                 .map(|(_, other)| other)
         };
-        // A line that lies on the same one is no corner.
+        // A line in the same direction makes no corner.
         let meets = |end| {
             let ends = |other: &Edge| other.ends.iter().any(|at| at.abs_diff_eq(end, 1e-6));
             others().any(|other| own.into.dot(other.into).abs() < 0.999 && ends(other))
@@ -149,8 +149,8 @@ pub fn material(
 }
 
 impl Material {
-    /// Gives what is filled of it, at most so many pixels deep: outlines in pixels, all of one sense, so that what two of them share is filled once.
-    /// The air within a hole turns the other way round.
+    /// Outlines of its filled area, at most `most` pixels deep, in pixels and all with the same sense, so that shared areas are filled once. The air within a
+    /// hole has the opposite sense.
     fn outlines(&self, camera: &Camera, most: f64, out: &mut Vec<Vec<Vec2>>) {
         let deep = most / camera.scale;
         match self {
@@ -203,7 +203,7 @@ impl Material {
     }
 }
 
-/// The outlines of all material, pixels, and those of the air in holes: whatever reaches into them from elsewhere is taken out again.
+/// Outlines of all material, in pixels, and those of the air in holes, which are cut out of other material.
 pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Vec2>>; 2] {
     let (mut filled, mut air) = (Vec::new(), Vec::new());
     for material in all {
@@ -220,12 +220,12 @@ pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Vec2>>
     [filled, air]
 }
 
-/// How far a place lies behind a line, which is a point and the way into the material.
+/// Depth of a position behind a line, given by a point and the direction into the material.
 fn depth(at: Vec2, point: Vec2, way: Vec2) -> f64 {
     way.dot(at - point)
 }
 
-/// What of an outline lies behind a line, which is a point and the way into the material.
+/// The part of an outline behind a line, given by a point and the direction into the material.
 pub(super) fn within(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
     let depth = |at: Vec2| depth(at, point, way);
     let mut kept = Vec::with_capacity(outline.len() + 1);

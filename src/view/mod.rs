@@ -20,7 +20,7 @@ use crate::geom::Vec2;
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod canvas;
 
-/// The ends of a line in one order, whichever way it is gone: so its dashes lie in the same places there and back.
+/// Ends of a line in a fixed order, whatever its direction: so its dashes have the same positions there and back.
 fn forwards(from: Vec2, to: Vec2) -> (Vec2, Vec2) {
     if (from.x, from.y) <= (to.x, to.y) {
         (from, to)
@@ -29,7 +29,7 @@ fn forwards(from: Vec2, to: Vec2) -> (Vec2, Vec2) {
     }
 }
 
-/// What a dimension is called, and its value: drawn apart, so that "Width 2" and 50 are not read as one number.
+/// Name and value of a dimension: drawn separately, so that "Width 2" and 50 are not read as one number.
 fn halves(name: &str) -> (&str, &str) {
     name.rsplit_once(' ').unwrap_or(("", name))
 }

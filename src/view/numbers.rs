@@ -1,4 +1,4 @@
-//! Positions of the numbers of touches: each near its contact, and none on another.
+//! Positions of the numbers of touches: close to their contacts, without overlapping.
 
 use crate::geom::Vec2;
 use crate::num::within;
@@ -6,25 +6,25 @@ use crate::view::camera::{Camera, DOWNWARDS};
 use crate::view::plate::Plate;
 use crate::view::scene::Scene;
 
-/// Radius of a number's disc, pixels: in a large picture, and in one so small that larger discs would hide the feature.
+/// Radius of a number's disc, pixels: in a large picture, and in a small one where larger discs would hide the feature.
 const DISC: [f64; 2] = [9.0, 8.0];
-/// From a contact to the disc.
+/// Distance from a contact to the disc.
 const OFF: f64 = 7.0;
-/// Contacts that are nearer to each other than this are seen as one.
+/// Contacts closer than this count as one.
 const ONE: f64 = 3.0;
 
-/// The number of a touch, or of those at one place, pixels.
+/// The number of a touch, or of several at one position, pixels.
 #[derive(Clone, Debug)]
 pub struct Number {
-    /// The touches, as indices.
+    /// Indices of the touches.
     pub touches: Vec<usize>,
-    /// What it says: `3`, `3·4`, or `3…9` of more than four; at the first touch of a cycle in a set-up `BORE 1`.
+    /// Its text: `3`, `3·4`, or `3…9` for more than four; at the first touch of a cycle in a set-up `BORE 1`.
     pub said: String,
-    /// The contact, or of a touch behind the part the ball.
+    /// The contact; for a touch behind the part the ball.
     pub contact: Vec2,
-    /// Its disc, which is longer than high where it says more.
+    /// Its disc, which is elongated for a longer text.
     pub plate: Plate,
-    /// Whether it is far enough from the contact to need a line to it.
+    /// Whether it is far enough from the contact to need a leader line.
     pub led: bool,
 }
 
@@ -32,18 +32,18 @@ pub struct Number {
 const MOST_SAID: usize = 4;
 
 impl Number {
-    /// The radius of its disc, pixels.
+    /// Radius of its disc, pixels.
     pub fn radius(&self) -> f64 {
         self.plate.half.y
     }
 }
 
 impl Camera {
-    /// The numbers of the touches, in their order.
+    /// Numbers of the touches, in order.
     pub fn numbers(&self, scene: &Scene) -> Vec<Number> {
         let mut numbers: Vec<Number> = Vec::new();
         for (k, touch) in scene.touches.iter().enumerate() {
-            // What is behind the part has its number beside the ball.
+            // A touch behind the part has its number beside the ball.
             let contact = self.pixel(if touch.behind.is_some() {
                 touch.ball
             } else {
@@ -82,7 +82,7 @@ impl Camera {
         }
         let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();
         let radius = radius(&contacts);
-        // Neither contacts nor the origin are hidden.
+        // Contacts and the origin stay visible.
         let spots: Vec<Vec2> = contacts
             .into_iter()
             .chain([self.pixel(scene.origin)])
@@ -92,7 +92,7 @@ impl Camera {
             let Some(number) = rest.first_mut() else {
                 break;
             };
-            // Behind the surface, where the path is not: beside it where that is looked at from before.
+            // Behind the surface, away from the path: beside it if the surface is seen face on.
             let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else {
                 continue;
             };
@@ -102,12 +102,12 @@ impl Camera {
                 None if inward.length() < 0.1 => (Vec2::new(0.7, -0.7), OFF),
                 None => (-inward, OFF),
             };
-            // About half as wide as its text; a dot has two bytes, and is half as wide as a digit; letters are wider.
+            // About half as wide as its text; a dot has two bytes and is half as wide as a digit; letters are wider.
             let letters = number.said.bytes().filter(u8::is_ascii_alphabetic).count();
             let wide = 2.8 * number.said.len() as f64 + 2.2 * letters as f64 + 4.6;
             let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
             let mut least = f64::INFINITY;
-            // Round about the contact, then further out.
+            // Around the contact, then farther out.
             for step in 0..24 {
                 let (ring, turn) = (f64::from(step / 8), f64::from(step % 8));
                 let angle = (turn / 2.0).ceil()
@@ -144,7 +144,7 @@ impl Camera {
     }
 }
 
-/// The radius of the discs: smaller where contacts are near to each other, or all of them in a small place.
+/// Radius of the discs: smaller if contacts are close to each other, or all of them in a small area.
 fn radius(contacts: &[Vec2]) -> f64 {
     let (mut nearest, mut widest) = (f64::INFINITY, 0.0_f64);
     for (k, a) in contacts.iter().enumerate() {

@@ -1,46 +1,46 @@
-//! Room in a picture: what a name takes, and what is there already.
+//! Space in a picture: boxes of names, and everything that they must avoid.
 
 use crate::geom::Vec2;
 use crate::num::within;
 use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera};
 use crate::view::scene::{Scene, Stroke};
 
-/// A box that something is written in, pixels.
+/// A box for a text, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plate {
     pub middle: Vec2,
-    /// The way that is read along, of length one.
+    /// Reading direction, a unit vector.
     pub along: Vec2,
     /// Half its length along, and half its height.
     pub half: Vec2,
 }
 
 impl Plate {
-    /// A place, seen from the middle of the plate along it and across.
+    /// A position relative to the middle of the plate, along and across it.
     fn own(&self, at: Vec2) -> Vec2 {
         let off = at - self.middle;
         Vec2::new(self.along.dot(off), self.along.perp_dot(off))
     }
 
-    /// Whether a disc reaches into it; of radius 0, whether a place lies in it.
+    /// Whether it overlaps a disc; with radius 0, whether it contains a position.
     pub fn covers(&self, disc: Vec2, radius: f64) -> bool {
         (self.own(disc).abs() - self.half).max(Vec2::ZERO).length() <= radius
     }
 
-    /// Whether a straight line comes nearer to it than so many pixels.
+    /// Whether a straight line comes closer to it than this, pixels.
     #[inline(never)]
     pub fn crosses(&self, ends: [Vec2; 2], near: f64) -> bool {
         let half = self.half + near;
         within_box(ends.map(|end| self.own(end)), [-half, half]).is_some()
     }
 
-    /// Whether two plates share room: the middle line of the other, as thick as that is high.
+    /// Whether two plates overlap: compares with the middle line of the other one, as thick as its height.
     pub fn meets(&self, other: &Plate) -> bool {
         let far = other.along * (other.half.x - other.half.y).max(0.0);
         self.crosses([other.middle - far, other.middle + far], other.half.y)
     }
 
-    /// The smallest and largest pixel of it.
+    /// Its smallest and largest pixel.
     pub fn bounds(&self) -> [Vec2; 2] {
         let along = self.along.abs();
         let reach = along * self.half.x + Vec2::new(along.y, along.x) * self.half.y;
@@ -66,34 +66,34 @@ pub fn within_box([from, to]: [Vec2; 2], [low, high]: [Vec2; 2]) -> Option<[f64;
     (enters <= leaves).then_some([enters, leaves])
 }
 
-/// What a plate costs that the edge of the picture cuts off.
+/// Cost of a plate that the edge of the picture cuts off.
 pub const CUT_OFF: f64 = 600.0;
 
-/// How deep material is seen behind an edge, pixels.
+/// Depth of the material shown behind an edge, pixels.
 pub const BAND: f64 = 36.0;
 
-/// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.
+/// Largest number of lines of a program that are considered: a frame must not wait for more.
 const MOST: usize = 2000;
 
-/// What else is in a picture, pixels.
+/// Everything else in a picture, pixels.
 #[derive(Clone, Debug, Default)]
 pub struct Crowd {
-    /// The moves, but for the search past a contact, and how far the ball reaches to both sides of each.
+    /// The moves without the search past a contact, and the extent of the ball on both sides.
     lines: Vec<([Vec2; 2], f64)>,
-    /// Balls and other round things.
+    /// Balls and other round items.
     discs: Vec<(Vec2, f64)>,
-    /// The outlines of the nominal walls, and how far beside them material may be drawn.
+    /// Outlines of the nominal walls, and the width of the material drawn beside them.
     walls: Vec<[Vec2; 4]>,
     beside: f64,
-    /// The work axes and the scale bar.
+    /// Work axes and scale bar.
     corners: Vec<Plate>,
-    /// What is written already.
+    /// Placed texts.
     pub plates: Vec<Plate>,
     size: Vec2,
 }
 
 impl Crowd {
-    /// The moves, the balls at their contacts, the origin, and in their corners the work axes and the scale bar.
+    /// Moves, balls at their contacts, origin, and in their corners the work axes and the scale bar.
     pub fn of(scene: &Scene, camera: &Camera) -> Self {
         let Vec2 {
             x: width,
@@ -148,12 +148,12 @@ impl Crowd {
         crowd
     }
 
-    /// Whether a place is in the picture.
+    /// Whether a position is in the picture.
     pub fn sees(&self, at: &Vec2) -> bool {
         at.cmpge(Vec2::ZERO).all() && at.cmple(self.size).all()
     }
 
-    /// Whether nothing but the axes' corner lies under a plate.
+    /// Whether a plate covers nothing but the axes' corner.
     pub fn leaves(&self, plate: &Plate) -> bool {
         let edges = |wall: &[Vec2; 4]| {
             (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], self.beside))
@@ -168,7 +168,7 @@ impl Crowd {
             && !self.walls.iter().any(edges)
     }
 
-    /// How much a plate would cover: another one, or the picture's edge, is worst, a move the least.
+    /// Cost of what a plate covers: another plate, or the picture's edge, is worst, a move least.
     pub fn cost(&self, plate: &Plate) -> f64 {
         let count = |many: usize, each: f64| many as f64 * each;
         let met = |others: &[Plate]| others.iter().filter(|other| plate.meets(other)).count();
@@ -193,14 +193,14 @@ impl Crowd {
             )
     }
 
-    /// How far the walls at the ends of a line, the walls between its ends, and all there is between them reach beside it on one side.
+    /// Extent on one side of a line of the walls at its ends, the walls between its ends, and everything between them.
     pub fn beside(&self, [from, to]: [Vec2; 2], aside: Vec2) -> [f64; 3] {
         let way = to - from;
         let long = way.length().max(1e-9);
         // Along the line, and away from it.
         let own = |at: Vec2| Vec2::new((at - from).dot(way) / long, (at - from).dot(aside));
         let (mut ends, all) = (0.0_f64, std::cell::Cell::new(0.0_f64));
-        // What of a line, so thick, is between the ends.
+        // The part of a line with this thickness between the ends.
         let between = |a: Vec2, b: Vec2, thick: f64| {
             for side in [-thick, long + thick] {
                 let part = if (b.x - a.x).abs() < 1e-9 {

@@ -1,4 +1,4 @@
-//! The look of a picture, for the canvas and for the SVG: its colours and its lines.
+//! Style of a picture, for canvas and SVG: colours and lines.
 
 use crate::view::scene::Stroke;
 
@@ -9,27 +9,27 @@ use crate::view::scene::Stroke;
     allow(dead_code, reason = "some are the canvas' alone")
 )]
 pub enum Colour {
-    /// Of what lies beneath everything.
+    /// Background.
     Background,
-    /// Of axes, scale and work origin.
+    /// Axes, scale and work origin.
     Text,
-    /// Of nominal walls and material.
+    /// Nominal walls and material.
     Wall,
-    /// Of the virtual part.
+    /// Virtual part.
     Actual,
-    /// Of positioning moves.
+    /// Positioning moves.
     Position,
-    /// Of long links.
+    /// Long links.
     Link,
-    /// Of touches, contacts and their numbers.
+    /// Touches, contacts and their numbers.
     Touch,
-    /// Of balls and dimensions.
+    /// Balls and dimensions.
     Ball,
-    /// Of the move that is pointed at.
+    /// Highlighted move.
     Highlight,
 }
 
-/// Of each, in that order: its name in a theme, what it is on a canvas that has no theme, and in an SVG, whose background is white.
+/// For each colour in that order: name in a theme, default on a canvas without a theme, and colour in an SVG with a white background.
 pub const COLOURS: [(&str, &str, &str); 9] = [
     ("background", "#ffffff", "#fff"),
     ("text", "#1c2430", "#46535f"),
@@ -49,13 +49,13 @@ impl Colour {
     }
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy, Debug)]
 pub struct Pen {
     pub colour: Colour,
-    /// Its width on a canvas, pixels, and in an SVG, whose units are smaller on paper.
+    /// Width on a canvas, pixels, and in an SVG, whose units are smaller on paper.
     pub widths: [f64; 2],
-    /// Lengths of its dashes and of the gaps between them; none if it has no gaps.
+    /// Lengths of its dashes and gaps; empty for a solid line.
     pub dash: &'static [f64],
 }
 
@@ -67,7 +67,7 @@ const fn pen(colour: Colour, widths: [f64; 2], dash: &'static [f64]) -> Pen {
     }
 }
 
-/// Walls that are seen edge-on: nominal, and of the virtual part.
+/// Walls seen edge-on: nominal, and of the virtual part.
 pub const EDGES: [Pen; 2] = [
     pen(Colour::Wall, [2.0; 2], &[]),
     pen(Colour::Actual, [1.5; 2], &[7.0, 4.0]),
@@ -79,7 +79,7 @@ pub const CENTRE_LINES: [Pen; 2] = [
     pen(Colour::Actual, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
 ];
 
-/// The pen of a move. Its dashes say what it is; the colour only repeats it.
+/// Pen of a move. Its dashes tell its kind; the colour only repeats it.
 pub const fn of(stroke: Stroke, rapid: bool) -> &'static Pen {
     const RAPID: Pen = pen(Colour::Position, [1.0, 1.5], &[12.0, 5.0]);
     const POSITION: Pen = pen(Colour::Position, [1.5, 2.0], &[9.0, 4.0, 2.0, 4.0]);
@@ -95,7 +95,7 @@ pub const fn of(stroke: Stroke, rapid: bool) -> &'static Pen {
     }
 }
 
-/// What the canvas draws, and an SVG does not.
+/// Pens of the canvas that an SVG does not use.
 #[cfg(target_arch = "wasm32")]
 pub mod screen {
     use super::{Colour, Pen, pen};
@@ -104,7 +104,7 @@ pub mod screen {
     pub const SPREAD: Pen = pen(Colour::Ball, [1.0; 2], &[2.0, 4.0]);
     /// From the handle that shifts the part to the one that turns it.
     pub const ARM: Pen = pen(Colour::Actual, [1.0; 2], &[3.0, 3.0]);
-    /// Of each kind of arrow in the picture of the tool lengths, in their order.
+    /// Pens of the arrows in a tool-length picture, by kind.
     pub const ARROWS: [Pen; 3] = [
         pen(Colour::Text, [1.5; 2], &[]),
         pen(Colour::Link, [1.0; 2], &[5.0, 4.0]),

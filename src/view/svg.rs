@@ -1,4 +1,4 @@
-//! A scene as an SVG: for the manual, for what prints, and to keep.
+//! Draws a scene as an SVG: for the manual, for printing, and to keep.
 
 use std::fmt::Write;
 
@@ -14,33 +14,33 @@ use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, TouchShape};
 use crate::view::style::{self, CENTRE_LINES, Colour, EDGES, Pen};
 
-/// Width of the picture, and how much of it stays free at its edges, in its own units.
+/// Width of the picture, and margin, in its own units.
 const WIDTH: f64 = 480.0;
 const MARGIN: f64 = 28.0;
-/// It is no higher than this, and the margins.
+/// Largest height without the margins.
 const HIGHEST: f64 = 360.0;
-/// Around lines and dimensions that reach further than the scene.
+/// Margin around lines and dimensions that extend beyond the scene.
 const ROOM: f64 = 14.0;
-/// What is solid on paper: walls that face who looks, walls from behind, top sides, cut material, and what dimensions are called.
+/// Solid colours on paper: walls that face the viewer, walls from behind, top sides, cut material, and names of dimensions.
 const FACE: &str = "#d9dde2";
 const VEIL: &str = "#334\" fill-opacity=\".05";
 const TOP: &str = "#eef0f3";
 const CUT: &str = "#eef0f2";
-/// How deep material is seen behind an edge.
+/// Depth of the material shown behind an edge.
 const BAND: f64 = 22.0;
 
-/// What is said in the picture of a scene.
+/// Texts in the picture of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Legend<'a> {
-    /// What the picture is, for screen readers; it may hold anything.
+    /// Title for screen readers; it may contain anything.
     pub title: &'a str,
-    /// What a dimension is called, by its field's path; one without a name is not drawn.
+    /// Names of the dimensions, by the paths of their fields; one without a name is not drawn.
     pub names: &'a [(&'static str, String)],
     /// Whether the virtual part is drawn beside the nominal one.
     pub deviates: bool,
 }
 
-/// Draws a scene. Once in the module, however many callers it has.
+/// Draws a scene. Only once in the module, however many callers it has.
 #[inline(never)]
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let mut drawing = Drawing::of(scene, legend);
@@ -67,7 +67,7 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
         .dimensions
         .iter()
         .for_each(|placed| drawing.dimension(placed));
-    // What they say is above them all.
+    // Texts are above everything.
     layout
         .names(legend.names)
         .iter()
@@ -83,7 +83,7 @@ fn escaped(text: &str) -> String {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
-            // What XML 1.0 has no place for.
+            // Characters that XML 1.0 does not allow.
             c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
             c => out.push(c),
         }
@@ -91,7 +91,7 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// Where the scene lies in the picture, and what is written of it.
+/// Position of the scene in the picture, and the text written so far.
 struct Drawing {
     camera: Camera,
     text: String,
@@ -127,7 +127,7 @@ impl Drawing {
         layout
     }
 
-    /// The frame: whatever is drawn lies within, with some room around.
+    /// The frame: everything drawn is inside, with a margin.
     fn begin(&mut self, scene: &Scene, legend: &Legend<'_>, layout: &Layout<'_>) {
         let lines = scene
             .lines
@@ -147,7 +147,7 @@ impl Drawing {
         for at in lines.chain(dimensions).chain(angles) {
             (low, high) = (low.min((at - ROOM).floor()), high.max((at + ROOM).ceil()));
         }
-        // A number written by the library would bring all of its printing into the module.
+        // Formatting a number with the library would add its printing code to the module.
         let [x, y] = low.to_array().map(|pixels| decimal(pixels, 0));
         let [width, height] = (high - low).to_array().map(|pixels| decimal(pixels, 0));
         let _ = write!(
@@ -163,7 +163,7 @@ impl Drawing {
         let _ = writeln!(self.text, "<path d=\"{path}\" {attributes}/>");
     }
 
-    /// The material behind edges, filled and hatched as in a section, and the air of holes.
+    /// Material behind edges, filled and hatched as in a section, and the air of holes.
     fn material(&mut self, scene: &Scene) {
         let [filled, air] = material::outlines(&scene.material, &self.camera, BAND)
             .map(|outlines| path(&outlines, "Z"));
@@ -178,7 +178,7 @@ impl Drawing {
         }
     }
 
-    /// Isometric, the material around what lies inside the part, cut open.
+    /// In the isometric view the material around inner features, cut open.
     fn blocks(&mut self, scene: &Scene) {
         if scene.blocks.is_empty() {
             return;
@@ -206,7 +206,7 @@ impl Drawing {
         }
     }
 
-    /// What cut material is filled with.
+    /// Fill of cut material.
     fn hatch(&mut self) {
         let colour = Colour::Wall.on_paper();
         let _ = writeln!(
@@ -215,7 +215,7 @@ impl Drawing {
         );
     }
 
-    /// The moves and the touches behind something, or those behind nothing.
+    /// Moves and touches hidden by something, or those that nothing hides.
     fn path(&mut self, scene: &Scene, deviates: bool, behind: Option<usize>) {
         scene
             .lines
@@ -223,7 +223,7 @@ impl Drawing {
             .filter(|line| line.behind == behind)
             .for_each(|line| self.line(line));
         for touch in &scene.touches {
-            // What is hidden is seen faintly through what hides it.
+            // Hidden parts are faintly visible.
             let hidden = behind.is_none() && touch.behind.is_some();
             self.text
                 .push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
@@ -248,7 +248,7 @@ impl Drawing {
         self.draw(&path(&lines, ""), &format!("fill=\"none\" {stroke}{dash}"));
     }
 
-    /// Walls in one, their faces `solid`: else they let a section's hatching through.
+    /// Walls in one; with `solid` faces, else they let a section's hatching show through.
     fn walls(
         &mut self,
         Walls {
@@ -272,7 +272,7 @@ impl Drawing {
         }
         .on_paper();
         let stroke = if wall.strip { "none" } else { colour };
-        // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
+        // A visible surface is solid; one seen from behind is a veil: so a hole does not look like a boss.
         let fill = match (wall.faces && solid, wall.actual) {
             (true, false) => FACE,
             (true, true) => &format!("{colour}\" fill-opacity=\".2"),
@@ -355,7 +355,7 @@ impl Drawing {
         );
     }
 
-    /// The lines of a dimension or an angle, and its arrow heads.
+    /// Lines of a dimension or an angle, and its arrow heads.
     fn measure(&mut self, lines: &str, heads: Option<[(Vec2, Vec2); 2]>) {
         let colour = Colour::Ball.on_paper();
         self.draw(lines, &format!("stroke=\"{colour}\" fill=\"none\""));
@@ -388,7 +388,7 @@ impl Drawing {
         );
     }
 
-    /// What a dimension or an angle says.
+    /// Text of a dimension or an angle.
     fn said(&mut self, plate: &Plate, name: &str) {
         let [x, y] = numbers(plate.middle);
         let [label, value] = <[&str; 2]>::from(super::halves(name)).map(escaped);
@@ -406,7 +406,7 @@ impl Drawing {
     }
 }
 
-/// A pen as attributes: colour and width, and the dashes, if there are any.
+/// A pen as attributes: colour, width, and dashes if there are any.
 fn attributes(pen: &Pen) -> [String; 2] {
     let width = decimal(pen.widths[1], 1);
     let stroke = format!(
@@ -423,7 +423,7 @@ fn attributes(pen: &Pen) -> [String; 2] {
     [stroke, dash]
 }
 
-/// Lines as one path, each with this end.
+/// Lines as one path, each with this ending.
 fn path(lines: &[impl AsRef<[Vec2]>], end: &str) -> String {
     let mut path = String::new();
     lines

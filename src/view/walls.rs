@@ -1,4 +1,4 @@
-//! Walls as they are seen.
+//! Projected walls.
 
 use crate::geom::{Frame, Vec2, Vec3};
 use crate::path::{Round, Wall};
@@ -6,17 +6,17 @@ use crate::path::{Round, Wall};
 /// One flat wall, or one strip of a round one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WallShape {
-    /// Its four corners, in order.
+    /// Corners in order.
     pub corners: [Vec2; 4],
-    /// Seen edge-on: the line. Else none.
+    /// The line, if it is seen edge-on; else `None`.
     pub edge: Option<[Vec2; 2]>,
-    /// Whether it belongs to the actual part; else to the nominal one.
+    /// Whether it belongs to the actual part instead of the nominal one.
     pub actual: bool,
-    /// Whether it is one strip of a round wall, whose sides are no edges.
+    /// Whether it is one strip of a round wall, whose sides are not edges.
     pub strip: bool,
-    /// Whether its air side is seen. Else the material lies before it, and it is seen through.
+    /// Whether its air side is visible. Otherwise the material is in front of it, and it is transparent.
     pub faces: bool,
-    /// The top side above it: that of this surface.
+    /// Surface whose top side is above it.
     pub top: Option<usize>,
 }
 
@@ -44,13 +44,13 @@ pub fn strips(round: &Round, frame: &Frame) -> Vec<Wall> {
         .collect()
 }
 
-/// A wall, or a strip of a round one. `spot` is where a place is seen.
+/// A wall, or a strip of a round one. `spot` projects a position.
 pub fn shape(wall: &Wall, up: Vec3, spot: impl Fn(Vec3) -> Vec2) -> WallShape {
     let (start, end) = (
         wall.point + wall.along * wall.extent.0,
         wall.point + wall.along * wall.extent.1,
     );
-    // Along the wall and across it; upwards where it goes up at all.
+    // Along the wall and across it; upwards if it rises at all.
     let across = wall.normal.cross(wall.along).normalize_or(up);
     let down = (if across.dot(up) < 0.0 {
         -across
@@ -78,7 +78,7 @@ pub fn shape(wall: &Wall, up: Vec3, spot: impl Fn(Vec3) -> Vec2) -> WallShape {
     }
 }
 
-/// Twice the area, positive where the outline turns counter-clockwise.
+/// Twice the area, positive if the outline is counter-clockwise.
 pub fn area(outline: &[Vec2]) -> f64 {
     (0..outline.len())
         .map(|k| outline[k].perp_dot(outline[(k + 1) % outline.len()]))

@@ -1,8 +1,8 @@
-//! The crate for JavaScript, which sees plain objects only. Besides the canvas, only this module names `wasm_bindgen`.
+//! The crate for JavaScript, which sees plain objects only. Besides the canvas, only this module uses `wasm_bindgen`.
 //!
-//! A value comes in as numbers and a text, made by a walk that survives anything a caller can hand over (`www/core/coded.ts`), and a plan goes
-//! out as numbers and a text (`www/core/plan.ts`): what crosses is one piece, not a call a value. What is small or rare goes as objects. A refused
-//! job is thrown as an `Error` named `JobError` with its `findings`; the package makes a class of it.
+//! A value comes in as numbers and one string, encoded by a walk that survives anything a caller can pass (`www/core/coded.ts`), and a plan goes out as numbers
+//! and one string (`www/core/plan.ts`): one transfer instead of a call for each value. Small or rare answers are objects. A refused job is thrown as an `Error`
+//! named `JobError` with its `findings`; the package makes a class of it.
 
 mod sink;
 mod view;
@@ -35,7 +35,7 @@ pub fn catalog() -> Result<JsValue, JsValue> {
     to_js(&describe::catalog())
 }
 
-/// A complete, valid job of a type, in mm or in inch; in mm where nothing is said.
+/// A complete, valid job of a type, in mm or in inch; by default in mm.
 #[wasm_bindgen(js_name = defaultJob)]
 pub fn default_job(kind: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> {
     let key = text_of(kind, 100).unwrap_or_default();
@@ -58,17 +58,17 @@ pub fn default_job(kind: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> 
         })
 }
 
-/// The default name of a job: what it measures, and its main sizes.
+/// Default name of a job: the measured feature, and its main sizes.
 #[wasm_bindgen(js_name = jobName)]
 pub fn job_name(codes: &[f64], text: &str) -> String {
     job::job_name(&decoded(codes, text))
 }
 
-/// A stock that fits the features of a job; null where none does.
+/// A stock that fits the features of a job; null if there is none.
 #[wasm_bindgen(js_name = proposedStock)]
 pub fn proposed_stock(codes: &[f64], text: &str) -> JsValue {
     let mut job = decoded(codes, text);
-    // The present one does not count, errors in it neither.
+    // The present stock does not count, nor do errors in it.
     if let Value::Map(entries) = &mut job {
         entries.retain(|(key, _)| key != job::STOCK.key);
     }
@@ -77,19 +77,19 @@ pub fn proposed_stock(codes: &[f64], text: &str) -> JsValue {
         .map_or(JsValue::NULL, |stock| value_to_js(&stock))
 }
 
-/// Why the form cannot show a job; null where it can.
+/// Reason why the form cannot show a job; null if it can.
 #[wasm_bindgen]
 pub fn misfit(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     to_js(&job::misfit(&decoded(codes, text)))
 }
 
-/// Everything that is wrong, unusual or worth knowing.
+/// All findings: errors, warnings and notes.
 #[wasm_bindgen]
 pub fn check(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     to_js(&job::check(&decoded(codes, text)))
 }
 
-/// The whole plan but its table; throws where the job has an error.
+/// The whole plan without its table; throws if the job has an error.
 #[wasm_bindgen]
 pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
     let (planned, plan) = job::plan_with_path(&decoded(codes, text)).map_err(refused)?;
@@ -98,14 +98,14 @@ pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// What is wrong with a portal's config: findings, none if it is good.
+/// Faults of a portal's config: findings, empty if it is valid.
 #[wasm_bindgen(js_name = configFaults)]
 pub fn config_faults(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let faults = read_config(codes, text).err().map(|error| error.findings);
     to_js(&faults.unwrap_or_default())
 }
 
-/// A job filled in by a config; throws where the config is wrong.
+/// A job filled in by a config; throws if the config has faults.
 #[wasm_bindgen]
 pub fn filled(
     codes: &[f64],
@@ -117,7 +117,7 @@ pub fn filled(
     Ok(value_to_js(&config.fill(&decoded(codes, text))))
 }
 
-/// What a config refuses of a job that was filled in; throws where the config is wrong.
+/// Refusals of a config for a job that was filled in; throws if the config has faults.
 #[wasm_bindgen]
 pub fn judged(
     codes: &[f64],
@@ -134,11 +134,11 @@ pub fn judged(
 }
 
 thread_local! {
-    /// The config that was read last.
+    /// The last config.
     static CONFIG: RefCell<Option<(Coded, Rc<Config>)>> = const { RefCell::new(None) };
 }
 
-/// A config: the last one where it is the same, for a page reads it at every keystroke.
+/// A config: the last one if it is the same, since a page passes it at every keystroke.
 fn read_config(codes: &[f64], text: &str) -> Result<Rc<Config>, JobError> {
     let last = CONFIG.with_borrow(|last| {
         last.as_ref()
@@ -157,7 +157,7 @@ fn read_config(codes: &[f64], text: &str) -> Result<Rc<Config>, JobError> {
     Ok(config)
 }
 
-/// The parameter table of a job that has a plan.
+/// The parameter table of a job with a plan.
 #[wasm_bindgen]
 pub fn table(codes: &[f64], text: &str, sink: &Sink) {
     if let Some(last) = planned(codes, text) {
@@ -165,7 +165,7 @@ pub fn table(codes: &[f64], text: &str, sink: &Sink) {
     }
 }
 
-/// What the rows of that table mean, as texts for other languages.
+/// Meanings of the rows of that table, as texts for other languages.
 #[wasm_bindgen]
 pub fn meanings(codes: &[f64], text: &str, sink: &Sink) {
     if let Some(last) = planned(codes, text) {
@@ -173,14 +173,14 @@ pub fn meanings(codes: &[f64], text: &str, sink: &Sink) {
     }
 }
 
-/// A value as it came in.
+/// An encoded value.
 #[derive(Debug)]
 struct Coded {
     codes: Vec<f64>,
     text: String,
 }
 
-/// The job that was planned last.
+/// The last planned job.
 #[derive(Debug)]
 struct Last {
     job: Coded,
@@ -198,7 +198,7 @@ impl Coded {
 }
 
 impl Last {
-    /// A path that is not kept: it is no job's.
+    /// A path that is not kept: it belongs to no job.
     fn of_none(planned: Planned) -> Rc<Last> {
         Rc::new(Last {
             job: Coded {
@@ -211,7 +211,7 @@ impl Last {
 }
 
 thread_local! {
-    /// The job that was planned last, and its path: its picture and its table need no second plan.
+    /// The last planned job with its path: its picture and its table need no second plan.
     static LAST: RefCell<Option<Rc<Last>>> = const { RefCell::new(None) };
 }
 
@@ -226,7 +226,7 @@ fn keep(codes: &[f64], text: &str, planned: Planned) {
     LAST.with_borrow_mut(|place| *place = Some(Rc::new(last)));
 }
 
-/// The path of a job: of the last plan where it is the same job, else planned now. None for a job with errors.
+/// The path of a job: that of the last plan if it is the same job, else planned now. `None` for a job with errors.
 fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
     if let Some(last) = LAST
         .with_borrow(|last| last.clone())
@@ -238,7 +238,7 @@ fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
     Some(Last::of_none(planned))
 }
 
-/// The same job in other units, `mm` or `inch`: lengths, feeds, and values with tolerances. What is no value stays as it is.
+/// The job in other units, `mm` or `inch`: lengths, feeds, and values with tolerances. Anything else is unchanged.
 #[wasm_bindgen(js_name = convertUnits)]
 pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsValue, JsValue> {
     let units = text_of(units, 100).unwrap_or_default();
@@ -247,7 +247,7 @@ pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsVal
         .map_err(refused)
 }
 
-/// What follows from what a machine really measured: `{ results, points, block, findings }`.
+/// Results from values measured on a real machine: `{ results, points, block, findings }`.
 #[wasm_bindgen]
 pub fn measure(
     codes: &[f64],
@@ -276,7 +276,7 @@ pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<Strin
     .map_err(refused)
 }
 
-/// The picture of a job as an SVG, looked at from `top`, `front`, `side` or `isometric`.
+/// The picture of a job as an SVG, from `top`, `front`, `side` or `isometric`.
 #[wasm_bindgen]
 pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue> {
     let name = text_of(view, 100).unwrap_or_default();
@@ -293,7 +293,7 @@ pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue>
     job::svg(&value, projection).map_err(refused)
 }
 
-/// The longest text that a job is made of, and the longest program whose moves are read, in UTF-16 units.
+/// Lengths of the longest text that can become a job, and of the longest program whose moves are read, in UTF-16 units.
 #[wasm_bindgen]
 pub fn limits() -> Vec<u32> {
     [job::LONGEST_TEXT, job::LONGEST_PROGRAM]
@@ -301,13 +301,13 @@ pub fn limits() -> Vec<u32> {
         .to_vec()
 }
 
-/// The crate's version.
+/// Version of the crate.
 #[wasm_bindgen]
 pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
 }
 
-/// Rust to plain objects: maps as objects, missing as null.
+/// Converts Rust values to plain objects: maps as objects, missing values as null.
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     value
         .serialize(&serde_wasm_bindgen::Serializer::json_compatible())
@@ -319,7 +319,7 @@ fn refused(error: JobError) -> JsValue {
     thrown_as(&error.findings, &message)
 }
 
-/// A refusal with one finding, whose message is the error's.
+/// A refusal with one finding, whose message becomes that of the error.
 fn thrown(finding: &[Finding; 1]) -> JsValue {
     thrown_as(finding, &finding[0].message)
 }
@@ -348,7 +348,7 @@ fn value_to_js(value: &Value) -> JsValue {
         Value::List(items) => items.iter().map(value_to_js).collect::<Array>().into(),
         Value::Map(entries) => {
             let object = Object::new();
-            // No value of a job has this name; set, it would change the object itself.
+            // No value of a job has this name; setting it would change the object itself.
             for (key, value) in entries.iter().filter(|(key, _)| key != "__proto__") {
                 set(&object, key, &value_to_js(value));
             }

@@ -1,4 +1,4 @@
-//! What goes out to JavaScript, and texts that come in.
+//! Data that goes out to JavaScript, and texts that come in.
 
 use js_sys::JsString;
 use wasm_bindgen::JsCast;
@@ -8,7 +8,7 @@ use crate::border::packed::Packed;
 
 #[wasm_bindgen]
 extern "C" {
-    /// Takes what goes out, and copies it before it returns.
+    /// Takes the outgoing data, and copies it before it returns.
     pub type Sink;
 
     #[wasm_bindgen(method)]
@@ -21,7 +21,7 @@ impl Sink {
     }
 }
 
-/// A text that is not longer than `most` UTF-16 units; a longer one is not copied.
+/// A text of at most `most` UTF-16 units; a longer one is not copied.
 pub fn text_of(value: &JsValue, most: usize) -> Option<String> {
     let length = value.dyn_ref::<JsString>()?.length() as usize;
     if length <= most {

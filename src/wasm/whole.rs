@@ -1,4 +1,4 @@
-//! What a page asks for when its user opens, reads or looks up something: the module that a first visit loads is built without it.
+//! Functions for opening, reading and looking up, which a first visit does not need.
 
 use js_sys::{Array, Float64Array, Object, Uint8Array, Uint32Array};
 use wasm_bindgen::JsCast;
@@ -21,16 +21,16 @@ pub fn job_schema() -> JsValue {
     value_to_js(&describe::job_schema())
 }
 
-/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ kind: "job", job, findings }`; of a program
-/// of moves that holds no job `{ kind: "moves", job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are the text
-/// read as JSON, with no codes where it is not JSON; where the job is just that, `job` is left out.
+/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Returns `{ kind: "job", job, findings }`; for a program of moves
+/// without a job `{ kind: "moves", job: null, trace, findings }`. Throws if neither is possible. `codes` and `json` are the text parsed as JSON, with no codes
+/// if it is not JSON; if the job is just that, `job` is left out.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, JsValue> {
     let length = text
         .dyn_ref::<js_sys::JsString>()
         .map_or(0, |text| text.length() as usize);
     if length > job::LONGEST_TEXT {
-        // Not even copied.
+        // It is not even copied.
         return Err(refused(import::too_long(length)));
     }
     let text = text.as_string().unwrap_or_default();
@@ -40,7 +40,7 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     match &imported {
         Imported::Job { job, .. } => {
             set(&result, "kind", &JsValue::from_str("job"));
-            // A job in JSON is returned as it is, also where it holds more than a job can.
+            // A job in JSON is returned unchanged, even if it has more than a job can have.
             if value.as_ref() != Some(job) {
                 set(&result, "job", &value_to_js(job));
             }
@@ -55,8 +55,8 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     Ok(result.into())
 }
 
-/// The moves of any program, as columns; throws where the text is too long or the dialect unknown. The text comes as UTF-8, which is several
-/// times as fast as a string; of one that is too long only the length.
+/// The moves of any program, as columns; throws if the text is too long or the dialect unknown. The text comes as UTF-8, which is several times as fast as a
+/// string; for one that is too long only the length is passed.
 #[wasm_bindgen(js_name = readProgram)]
 pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsValue, JsValue> {
     if length > toolpath::LONGEST_PROGRAM {
@@ -81,7 +81,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     columns(&toolpath::read_program(&utf8(text), known)).map(JsValue::from)
 }
 
-/// The same, run with what is known beside the text, an object as `runProgram` of the package has it.
+/// The moves of a program that is run with these inputs, an object as for `runProgram` of the package.
 #[wasm_bindgen(js_name = runProgram)]
 pub fn run_program(
     text: &[u8],
@@ -135,7 +135,7 @@ pub fn run_program(
     Ok(result.into())
 }
 
-/// JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.
+/// JavaScript writes only UTF-8; this check confirms it immediately.
 fn utf8(text: &[u8]) -> std::borrow::Cow<'_, str> {
     match std::str::from_utf8(text) {
         Ok(text) => text.into(),
@@ -143,7 +143,7 @@ fn utf8(text: &[u8]) -> std::borrow::Cow<'_, str> {
     }
 }
 
-/// The findings of a run, each with its lines.
+/// Findings of a run, each with its lines.
 fn result_findings(run: &Toolpath) -> Result<Array, JsValue> {
     let with_lines = |(finding, lines): (&Finding, &Vec<u32>)| {
         let finding = to_js(finding)?;
@@ -180,7 +180,7 @@ fn columns(path: &Toolpath) -> Result<Object, JsValue> {
     Ok(columns)
 }
 
-/// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws where the query itself is wrong.
+/// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws if the query has faults.
 #[wasm_bindgen]
 pub fn lentoax(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;
@@ -205,7 +205,7 @@ pub fn lentoax(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     Ok(result.into())
 }
 
-/// The same in words: `{ meaning, sentence, program }`, the last being NC lines that ask the control itself.
+/// The answer in words: `{ meaning, sentence, program }`; `program` are NC lines that ask the control itself.
 #[wasm_bindgen(js_name = lentoaxWords)]
 pub fn lentoax_words(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;

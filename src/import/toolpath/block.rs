@@ -1,4 +1,4 @@
-//! What one block of a program says.
+//! Contents of one block of a program.
 
 use crate::control::iso::codes::Shift;
 use crate::control::iso::script::Motion;
@@ -9,13 +9,13 @@ use crate::import::toolpath::modes::Modes;
 /// A call of a subprogram.
 #[derive(Clone, Copy)]
 pub(super) struct Call {
-    /// Whether its lines begin at a block number, and not at a program's.
+    /// Whether its lines begin at a block number instead of a program number.
     pub local: bool,
     pub number: u32,
     pub times: u32,
 }
 
-/// What becomes of the modes.
+/// Change of the modes.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum ModeChange {
     Keep { of_subprogram: bool },
@@ -23,19 +23,19 @@ pub(super) enum ModeChange {
     GiveBack,
 }
 
-/// What the length of the tool becomes.
+/// Change of the tool length.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Length {
-    /// That of the tool table.
+    /// Length from the tool table.
     Table,
     Nothing,
-    /// The numbers of the block, or so much more.
+    /// The numbers of the block, or added to the active length.
     Given {
         added: bool,
     },
 }
 
-/// What a block says of a code that makes no place of its axis words.
+/// Effect of a code whose axis words are not a position.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub(super) enum Foreign {
     No,
@@ -43,22 +43,22 @@ pub(super) enum Foreign {
     Sets,
     /// The control computes the code, as `G#3` that restores a mode.
     Computed,
-    /// Nothing is known of the code: it may move anything.
+    /// The code is unknown: it may move anything.
     Unknown,
 }
 
-/// A value of a word.
+/// Value of a word.
 #[derive(Clone, Copy)]
 pub(super) enum Word {
     Number(f64),
-    /// A place (true) or a distance, whatever the mode: `AC(5)`, `IC(5)`.
+    /// A position (true) or a distance, whatever the mode: `AC(5)`, `IC(5)`.
     Placed(f64, bool),
-    /// What the control would compute.
+    /// A value that the control would compute.
     Computed,
 }
 
 impl Word {
-    /// NaN where the control would compute it.
+    /// NaN if the control would compute it.
     pub fn number(self) -> f64 {
         if let Word::Number(x) = self {
             x
@@ -68,31 +68,31 @@ impl Word {
     }
 }
 
-/// What a block says.
+/// Contents of a block.
 pub(super) struct Block {
-    /// X, Y, Z, where they are given.
+    /// X, Y, Z, if given.
     pub places: [f64; 3],
     pub given: Axes,
-    /// Those of them that the control would compute.
+    /// Axes whose value the control would compute.
     pub computed: Axes,
-    /// Those of them that are places, and those that are distances, whatever the mode.
+    /// Axes given as positions, and axes given as distances, whatever the mode.
     pub placed: Axes,
     pub moved: Axes,
-    /// I, J, K from where the arc begins, or as places.
+    /// I, J, K from the start of the arc, or as positions.
     pub center: [f64; 3],
     pub centered: Axes,
     pub radius: Option<f64>,
-    /// A motion for this block alone.
+    /// A motion for this block only.
     pub once: Option<Motion>,
-    /// That motion is a curve, straight here.
+    /// That motion is a curve, treated as straight.
     pub curve: bool,
-    /// It names one of the motions that stay: G0 to G3, G38.n.
+    /// It names a modal motion: G0 to G3, G38.n.
     pub motion: bool,
-    /// Its axis words are no place to go to: G10, G92, a native cycle.
+    /// Its axis words are not a target: G10, G92, a native cycle.
     pub elsewhere: bool,
-    /// It waits. Its axis words are its time, unless it names a motion or its time by P, too.
+    /// A dwell. Its axis words give its time, unless it also names a motion or gives the time by P.
     pub dwells: bool,
-    /// It writes settings, G10: which by L.
+    /// It writes settings (G10); L gives the kind.
     pub writes: bool,
     /// It changes the length of the tool.
     pub lengthens: Option<Length>,
@@ -100,9 +100,9 @@ pub(super) struct Block {
     pub shift: Option<Shift>,
     /// It begins (true) or ends a rotation.
     pub turns: Option<bool>,
-    /// It mirrors, scales or tilts the system, or makes something else of it that is not followed.
+    /// It mirrors, scales or tilts the system, or changes it in another way that is not modelled.
     pub distorts: bool,
-    /// A Haas' M78 and M79: what a contact, or none, is an alarm of.
+    /// M78 and M79 of a Haas: contact, or no contact, is an alarm.
     pub contact: Option<Motion>,
     /// It starts (true) or stops the spindle.
     pub spindle: Option<bool>,
@@ -110,25 +110,25 @@ pub(super) struct Block {
     pub changes: bool,
     /// M70 to M73.
     pub keeps: Option<ModeChange>,
-    /// The work offset that it selects, 1 = G54.
+    /// Selected work offset, 1 = G54.
     pub offset: Option<i32>,
     /// Whether its number is counted on from there, by P.
     pub counts: bool,
-    /// L and P; NaN where the control would compute them.
+    /// L and P; NaN if the control would compute them.
     pub l: Option<f64>,
     pub p: Option<f64>,
     /// It moves axes other than X, Y and Z.
     pub others: bool,
-    /// Its places are of the machine: where that is in the work system is not known.
+    /// Its positions are machine coordinates, whose relation to the work system is unknown.
     pub machine: bool,
-    /// It goes to a place that the machine knows, whether or not it names axes.
+    /// It moves to a position stored in the machine, whether or not it names axes.
     pub home: bool,
     pub feed: Option<f64>,
-    /// Its F is no feed that stays: a time, or an argument of a macro.
+    /// Its F is not a modal feed: a time, or an argument of a macro.
     pub feedless: bool,
     /// It ends the program.
     pub ends: bool,
-    /// It goes back to where the program was called from, M99, or to the number in its P.
+    /// It returns to the caller of the program (M99), or to the number in its P.
     pub returns: bool,
     /// It names two motions, or an axis twice.
     pub twice: bool,
@@ -136,19 +136,19 @@ pub(super) struct Block {
     pub strange: bool,
     /// It jumps.
     pub jumps: bool,
-    /// It names a code that makes no place of its axis words.
+    /// It names a code whose axis words are not a position.
     pub foreign: Foreign,
     /// The block starts with an M code, and its axis words may belong to that code, unless it names a motion.
     pub led: Foreign,
-    /// Where the name of that code begins and ends in its line.
+    /// Start and end of that code's name in its line.
     pub name: [usize; 2],
-    /// Where the words begin, behind the block's number.
+    /// Start of the words, after the block's number.
     pub begin: usize,
-    /// It calls a macro, G65, by its number P.
+    /// It calls a macro (G65) by its number P.
     pub macros: bool,
     /// It calls a subprogram: 97, 98 or 198.
     pub calls: Option<u8>,
-    /// Whether one of these is so, or an axis is a place or a distance by its own.
+    /// Whether one of these holds, or an axis is given explicitly as a position or a distance.
     pub special: bool,
 }
 
@@ -199,7 +199,7 @@ pub(super) const EMPTY: Block = Block {
 };
 
 impl Block {
-    /// Takes all words out. Places and centres stay: nothing says that they are given.
+    /// Removes all words. Positions and centres stay: nothing marks them as given.
     pub fn empty(&mut self) {
         (self.given, self.computed, self.centered) = (0, 0, 0);
         (
@@ -232,27 +232,27 @@ impl Block {
     }
 }
 
-/// A code that is not followed.
+/// A code that is not modelled.
 pub(super) struct Named {
     pub name: String,
     pub foreign: Foreign,
-    /// What it measures, where it is a native cycle.
+    /// Its measurement, if it is a native cycle.
     pub title: Option<&'static str>,
     pub count: Count,
 }
 
-/// Where the ways of a condition part.
+/// An unknown condition, from which two branches are followed.
 pub(super) struct Fork {
     pub begins: State,
-    /// Where the ways before this one ended.
+    /// Joined end of the earlier branches.
     pub ends: Option<State>,
-    /// The line at which they meet, where it was a jump; else a word says it.
+    /// Line at which the branches meet, for a jump; else a word marks it.
     pub until: Option<usize>,
-    /// Whether one of the ways is run in any case.
+    /// Whether one of the branches runs in any case.
     pub otherwise: bool,
 }
 
-/// What a way of the program begins or ends with.
+/// State at the start or end of a branch.
 #[derive(Clone)]
 pub(super) struct State {
     pub place: Position,

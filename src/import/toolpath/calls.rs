@@ -1,27 +1,27 @@
-//! Subprograms that are in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
+//! Subprograms in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
 
 use crate::control::iso::lex::{head, line_end, program_number};
 use crate::import::toolpath::block::{Block, Call};
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::skipped::Skip;
 
-/// So deep a subprogram may call the next one.
+/// Deepest nesting of subprograms.
 const DEEPEST: usize = 10;
 
-/// Bound on the lines of subprograms that are read in all.
+/// Largest total number of lines read in subprograms.
 const MOST_LINES: usize = 500_000;
 
-/// So many numbers are looked for: each costs a look through the text.
+/// Largest number of numbers that are searched for: each costs a pass through the text.
 const MOST_NUMBERS: usize = 100;
 
-/// Where a line begins, and its number from 0.
+/// Start of a line, and its number from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     pub at: usize,
     pub line: usize,
 }
 
-/// A call under way: where it continues, where its lines begin, and how often they run again.
+/// An active call: where it continues, where its lines begin, and the number of further repetitions.
 struct Frame {
     back: Place,
     begin: Place,
@@ -31,11 +31,11 @@ struct Frame {
 /// Follows calls through a text.
 pub(super) struct Calls<'t> {
     text: &'t str,
-    /// What was called: whether it is a block, its number, and where its lines begin.
+    /// Called numbers: whether it is a block, the number, and the start of its lines.
     places: Vec<(bool, u32, Option<Place>)>,
     stack: Vec<Frame>,
     lines: usize,
-    /// The lines of subprograms that ran: from, up to.
+    /// Lines of subprograms that ran: from, up to.
     ran: Vec<(usize, usize)>,
 }
 
@@ -50,18 +50,18 @@ impl<'t> Calls<'t> {
         }
     }
 
-    /// How many subprograms are under way.
+    /// Number of active subprograms.
     pub fn depth(&self) -> usize {
         self.stack.len()
     }
 
-    /// Where the subprogram that is under way goes back to, once its lines have run as often as they were called.
+    /// Return position of the active subprogram, after its lines have run as often as they were called.
     pub fn back(&self) -> Option<Place> {
         let frame = self.stack.last().filter(|frame| frame.left == 0)?;
         Some(frame.back)
     }
 
-    /// Whether a subprogram is under way.
+    /// Whether a subprogram is active.
     pub fn is_inside(&self) -> bool {
         !self.stack.is_empty()
     }
@@ -73,7 +73,7 @@ impl<'t> Calls<'t> {
             .any(|(from, to)| (*from..*to).contains(&line))
     }
 
-    /// After a line was read: which one is read next.
+    /// Chooses the next line after reading one.
     #[cold]
     #[inline(never)]
     pub fn step(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
@@ -98,7 +98,7 @@ impl<'t> Calls<'t> {
             }
             return self.leave(next);
         }
-        // The end of the program, or another program: the caller does not continue, or it is not known how.
+        // End of the program, or another program: the caller does not continue, or it is unknown how.
         if reader.ended || self.lines > MOST_LINES {
             let back = self.stack[0].back;
             while self.stack.pop().is_some() {
@@ -116,7 +116,7 @@ impl<'t> Calls<'t> {
         }
     }
 
-    /// The lines of a subprogram come to an end without M99.
+    /// The lines of a subprogram end without M99.
     #[cold]
     #[inline(never)]
     pub fn fall_out(&mut self, reader: &mut Reader, next: Place) -> Place {
@@ -165,7 +165,7 @@ impl<'t> Calls<'t> {
         back
     }
 
-    /// Where the lines begin; `None` if the number is not there once. Each is looked for once, and not very many are.
+    /// Start of the lines; `None` if the number does not occur exactly once. Each number is searched for once, and not very many are.
     fn find(&mut self, call: Call) -> Option<Place> {
         let known = self
             .places
@@ -184,7 +184,7 @@ impl<'t> Calls<'t> {
 }
 
 impl Reader {
-    /// A subprogram is called, by M97, M98 or M198.
+    /// Calls a subprogram by M97, M98 or M198.
     #[cold]
     #[inline(never)]
     pub(super) fn call(&mut self, code: u8, block: &Block) {
@@ -220,7 +220,7 @@ impl Reader {
         (self.call, self.turns_off) = (Some(call), true);
     }
 
-    /// After what is not followed: where the axes are is not known.
+    /// The positions of the axes are unknown after a line that is not modelled.
     #[cold]
     #[inline(never)]
     pub(super) fn lose(&mut self, why: Skip, line: usize) {
@@ -230,7 +230,7 @@ impl Reader {
     }
 }
 
-/// Where the lines of a subprogram begin; `None` if its number is not there once.
+/// Start of a subprogram's lines; `None` if its number does not occur exactly once.
 fn place_of(text: &[u8], call: Call) -> Option<Place> {
     let mut found = None;
     let (mut at, mut line) = (0, 0);

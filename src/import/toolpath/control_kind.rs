@@ -1,16 +1,16 @@
-//! The controls whose programs differ in what a word does to the coordinate system, and in what a probing move does beside moving.
+//! Controls whose programs differ in the effect of words on the coordinate system, and in the effect of a probing move beside moving.
 //!
-//! LinuxCNC, grbl, grblHAL, FluidNC, RepRapFirmware and Centroid by their sources and help texts; Fanuc and its kin, SINUMERIK and HEIDENHAIN by manuals.
-//! What is only recalled of them: that a write to a Fanuc's offset variables acts at once.
+//! LinuxCNC, grbl, grblHAL, FluidNC, RepRapFirmware and Centroid by their sources and help texts; Fanuc and compatible controls, SINUMERIK and HEIDENHAIN by
+//! manuals. Only recalled: that a write to a Fanuc's offset variables acts immediately \[R\].
 
 use crate::import::signs::{self, Sign};
 use crate::import::toolpath::script::grammar::{self, Grammar};
 use crate::import::toolpath::{DIALECTS, guess};
 
-/// Whose words a program has.
+/// Control of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum ControlKind {
-    /// It may be any of those with G codes.
+    /// Any control with G codes.
     #[default]
     Unknown,
     LinuxCnc,
@@ -25,24 +25,24 @@ pub(super) enum ControlKind {
     Lnc,
     Eding,
     PlanetCnc,
-    /// Mach3: parameters, and neither conditions nor jumps.
+    /// Mach3: parameters, but no conditions and no jumps.
     Mach3,
     Sinumerik,
     Heidenhain,
 }
 
-/// What `G92 X5` calls 5.
+/// Meaning of the number in `G92 X5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Renames {
     /// The position in every work offset.
     Everywhere,
-    /// The position in the active work offset alone.
+    /// The position in the active work offset only.
     Active,
     /// The position of the machine, without the work offset.
     Machine,
 }
 
-/// The controls that a program can be read for: the key, the name, the dialect of its texts, and its kind.
+/// Controls that a program can be read for: key, name, dialect and kind.
 const TOLD: [(&str, &str, usize, ControlKind); 18] = [
     ("linuxcnc", "LinuxCNC", 0, ControlKind::LinuxCnc),
     ("grbl", "grbl", 0, ControlKind::Grbl),
@@ -64,7 +64,7 @@ const TOLD: [(&str, &str, usize, ControlKind); 18] = [
     ("mach3", "Mach3", 0, ControlKind::Mach3),
 ];
 
-/// The keys of the controls that a program can be read for, in the order of the documentation.
+/// Keys of the controls that a program can be read for, in the order of the documentation.
 pub const PROGRAM_POSTS: [&str; TOLD.len()] = {
     let mut keys = [""; TOLD.len()];
     let mut i = 0;
@@ -75,12 +75,12 @@ pub const PROGRAM_POSTS: [&str; TOLD.len()] = {
     keys
 };
 
-/// The name of a control, by its key.
+/// Name of a control, by its key.
 pub fn program_post_title(post: &str) -> Option<&'static str> {
     told(post).map(|(_, title, ..)| *title)
 }
 
-/// The dialect of a control's programs, by its key.
+/// Dialect of a control's programs, by its key.
 pub(super) fn dialect_of(post: &str) -> Option<&'static str> {
     told(post).map(|(.., dialect, _)| DIALECTS[*dialect])
 }
@@ -90,14 +90,14 @@ fn told(post: &str) -> Option<&'static (&'static str, &'static str, usize, Contr
 }
 
 impl ControlKind {
-    /// The key of the first control of this kind.
+    /// Key of the first control of this kind.
     pub fn post(self) -> Option<&'static str> {
         let own = TOLD.iter().find(|(.., kind)| *kind == self);
         own.filter(|_| self != ControlKind::Unknown)
             .map(|(key, ..)| *key)
     }
 
-    /// Of a text in a dialect: the control that was told, else by signs that no other control's programs have.
+    /// The control of a text in a dialect: the given one, else by syntax that no other control has.
     pub fn of(text: &str, dialect: &str, post: Option<&str>) -> Self {
         if let Some((.., kind)) = post.and_then(told) {
             return *kind;
@@ -116,13 +116,13 @@ impl ControlKind {
             Some(Sign::LinuxCnc | Sign::Rs274) => ControlKind::LinuxCnc,
             Some(Sign::LikeFanuc) => ControlKind::Fanuc,
             Some(Sign::RepRap) => ControlKind::RepRap,
-            // Programs that probe by macros alone.
+            // Programs that probe with macros only.
             None if calls_macros(text) => ControlKind::Fanuc,
             Some(Sign::Klartext) | None => ControlKind::Unknown,
         }
     }
 
-    /// How its programs compute and jump; where the control is not known, the text tells.
+    /// Grammar of arithmetic and jumps; for an unknown control the text decides.
     pub fn grammar(self, text: &str, dialect: &str) -> &'static Grammar {
         match self {
             ControlKind::LinuxCnc
@@ -145,7 +145,7 @@ impl ControlKind {
         }
     }
 
-    /// Whether its programs compute: grbl reads numbers alone.
+    /// Whether its programs compute: grbl reads plain numbers.
     pub fn computes(self) -> bool {
         self != ControlKind::Grbl
     }
@@ -155,17 +155,17 @@ impl ControlKind {
         self == ControlKind::Fanuc
     }
 
-    /// Whether `G10 L2 P0` writes the offset that is added to all others, and not the active one.
+    /// Whether `G10 L2 P0` writes the offset that is added to all others, instead of the active one.
     pub fn has_external_offset(self) -> bool {
         self == ControlKind::Fanuc
     }
 
-    /// Whether `G10 L20 Pn` writes values, into `G54.1 Pn`. Elsewhere it makes the present position the one that it gives.
+    /// Whether `G10 L20 Pn` writes values into `G54.1 Pn`. Elsewhere it makes the current position the given one.
     pub fn counts_by_l20(self) -> bool {
         self == ControlKind::Fanuc
     }
 
-    /// Whether an offset that is written as a variable acts only when it is selected.
+    /// Whether an offset written as a variable acts only after it is selected.
     pub fn keeps_written_offsets(self) -> bool {
         matches!(
             self,
@@ -176,7 +176,7 @@ impl ControlKind {
         )
     }
 
-    /// Whether selecting the active work offset loads it again.
+    /// Whether selecting the active work offset reloads it.
     pub fn loads_active_again(self) -> bool {
         self != ControlKind::LinuxCnc
     }
@@ -194,7 +194,7 @@ impl ControlKind {
         self == ControlKind::LinuxCnc
     }
 
-    /// What a work offset is called.
+    /// Name of a work offset.
     pub fn offset_name(self, number: i32) -> String {
         match (self, number) {
             (_, ..=-1 | i32::MAX) => "?".to_owned(),
@@ -218,7 +218,7 @@ fn calls_macros(text: &str) -> bool {
     memchr::memchr2_iter(b'G', b'g', bytes).any(|at| bytes[at + 1..].starts_with(b"65"))
 }
 
-/// The number by which a work offset counts here, from its P in `G54.1 P2`, `G154 P2`.
+/// Number of a work offset from its P in `G54.1 P2`, `G154 P2`.
 pub(super) fn counted(first: i32, p: f64) -> i32 {
     if p.is_nan() {
         i32::MAX

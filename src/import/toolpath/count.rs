@@ -1,6 +1,6 @@
-//! How often something was passed over, and where.
+//! Counts ignored lines.
 
-/// Something that is said once, with how often and where.
+/// A fact that is reported once, with count and lines.
 #[derive(Clone, Default)]
 pub(super) struct Count {
     pub times: usize,
@@ -9,7 +9,7 @@ pub(super) struct Count {
 }
 
 impl Count {
-    /// Its lines in their order, each once.
+    /// Its lines in order, each once.
     pub fn sorted(mut self) -> Vec<u32> {
         self.lines.sort_unstable();
         self.lines.dedup();
@@ -17,7 +17,7 @@ impl Count {
     }
 }
 
-/// Counts it once more.
+/// Counts one more occurrence.
 pub(super) fn count(count: &mut Count, line: usize) {
     count.times += 1;
     let line = line as u32;

@@ -1,4 +1,4 @@
-//! What of a program is passed over: counted, and said once.
+//! Reports ignored parts of a program, each kind once with its count.
 
 use crate::form::Checker;
 use crate::import::toolpath::Toolpath;
@@ -8,11 +8,11 @@ use crate::import::toolpath::reader::Reader;
 use crate::text::{Text, text};
 
 impl Reader {
-    /// The path, with what was passed over as its findings.
+    /// The path, with ignored parts as its findings.
     pub fn finish(mut self) -> Toolpath {
         let mut checker = Checker::default();
         let mut lines = Vec::new();
-        // What stops the control comes first.
+        // Reasons that stop the control come first.
         for (count, code) in [
             (&mut self.missed, "touch-missed"),
             (&mut self.divisions, "division-by-zero"),
@@ -64,7 +64,7 @@ impl Reader {
         self.path
     }
 
-    /// What was passed over, in the order in which it is reported.
+    /// Ignored parts, in the order of the report.
     fn counted(&mut self) -> Vec<(Count, &'static str, Text)> {
         let take = std::mem::take::<Count>;
         let [rapids, moves] = std::mem::take(&mut self.collisions);
@@ -111,7 +111,7 @@ impl Reader {
     }
 }
 
-/// The number of a line, with its file where that is not the program's.
+/// Number of a line, with its file if that is not the program.
 fn numbered(files: &[(u32, String)], line: u32) -> String {
     let file = files.partition_point(|(first, _)| *first <= line);
     match file.checked_sub(1).map(|file| &files[file]) {

@@ -1,42 +1,42 @@
-//! What runs a program's arithmetic and jumps in front of the reader.
+//! Result of running a program's arithmetic and jumps before the reader.
 
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::way::Way;
 
-/// What becomes of a line.
+/// Treatment of a line.
 pub(super) enum Step {
-    /// It is read as it is written.
+    /// Read as written.
     AsWritten,
-    /// This is read in its place.
+    /// This text is read instead.
     Read(Vec<u8>),
-    /// It is done.
+    /// Done; nothing is read.
     Done,
-    /// The program continues elsewhere.
+    /// The program continues at this line.
     Go(Place),
-    /// It continues there, in a subprogram.
+    /// It continues at this line, in a subprogram.
     Enter(Place),
-    /// It continues there, back from a subprogram.
+    /// It continues at this line, after a subprogram.
     Leave(Place),
-    /// Where it continues is not known, and no line below is sure to run.
+    /// The next line is unknown, and no line below is certain to run.
     Astray,
-    /// It is read as it is written, and the program may continue at that line below.
+    /// Read as written, and the program may continue at that line below.
     MayJump(usize),
-    /// It may go back to that line from a subprogram, or go on below.
+    /// It may return to that line from a subprogram, or continue below.
     MayLeave(usize),
-    /// A condition or a loop that is not known begins, goes on or ends.
+    /// An unknown condition or loop begins, continues or ends.
     Way(Way),
-    /// The same, in front of the line, which is stepped again.
+    /// An unknown condition or loop changes before the line, which is then treated again.
     Again(Way),
-    /// A branch whose condition is not known ends the program: it continues below, or there.
+    /// A branch with an unknown condition ends the program: it continues below, or at this line.
     BranchEnds(Option<Place>),
-    /// The program ends here, by its own word.
+    /// The program ends here explicitly.
     Ends,
-    /// The program has run for too long.
+    /// The run is too long.
     Stop,
 }
 
 impl Step {
-    /// To a place, where there is one.
+    /// To a line, if there is one.
     pub fn to(place: Option<Place>) -> Step {
         place.map_or(Step::AsWritten, Step::Go)
     }

@@ -1,4 +1,4 @@
-//! Codes whose axis words are no place: they are passed by, and named.
+//! Codes whose axis words are not a position: they are skipped and reported by name.
 
 use crate::control::iso::script::Motion;
 use crate::control::native::{self, Call};
@@ -11,23 +11,23 @@ use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::skipped::Skip;
 use crate::text::{Text, text};
 
-/// So many codes are named; others are lines that are not understood.
+/// Largest number of reported names; other codes count as lines that are not understood.
 const MOST_NAMES: usize = 12;
 
 impl Reader {
-    /// Passes by a block whose axis words may be no place; false where it is followed as any other.
+    /// Skips a block whose axis words may not be a position; false if it is followed like any other.
     #[cold]
     #[inline(never)]
     pub(super) fn pass_by(&mut self, line: &[u8], block: &Block) -> bool {
         let names_axes = block.given | block.centered != 0 || block.others;
         let moves = block.motion || block.once.is_some();
-        // Axis words behind a motion are the motion's, and an M code without axis words moves none.
+        // Axis words after a motion belong to it, and an M code without axis words moves nothing.
         let led = if names_axes && !moves {
             block.led
         } else {
             Foreign::No
         };
-        // RepRapFirmware sets its probe by G31. Skip signals are P1 to P4, and P98 and P99 skip by torque.
+        // RepRapFirmware configures its probe with G31. Skip signals are P1 to P4, and P98 and P99 skip by torque.
         let is_signal = |p: f64| p < 5.0 || p == 98.0 || p == 99.0;
         let sets =
             self.frames.kind == ControlKind::RepRap || block.p.is_some_and(|p| !is_signal(p));
@@ -57,7 +57,7 @@ impl Reader {
             Foreign::Sets => self.forget(block.given),
             Foreign::Unknown => self.forget(7),
         }
-        // Its F may be anything.
+        // Its F may have any meaning.
         if block.feed.is_some() {
             self.feed = f64::NAN;
         }
@@ -76,7 +76,7 @@ impl Reader {
         true
     }
 
-    /// A native cycle is called: it is listed, and named.
+    /// Lists a call of a native cycle and reports its name.
     pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
         let call = self.listed(name, arguments, place);
         let named = call.map_or(name, |call| call.name);
@@ -87,7 +87,7 @@ impl Reader {
         );
     }
 
-    /// A native cycle whose moves were made: it is listed.
+    /// Lists a native cycle whose moves were made.
     pub(super) fn listed(
         &mut self,
         name: &str,
@@ -101,7 +101,7 @@ impl Reader {
         Some(call)
     }
 
-    /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
+    /// Calls a native macro. Renishaw's 9810 moves to its position; the ends of the others are unknown.
     #[cold]
     pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
         self.called_macro = true;
@@ -115,7 +115,7 @@ impl Reader {
                 .collect()
         };
         match block.p {
-            // A number that the control computes.
+            // A computed number.
             Some(p) if !p.is_finite() => {
                 self.forget(7);
                 self.native("G65", arguments(), place);
@@ -129,7 +129,7 @@ impl Reader {
                 (block.elsewhere, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
-            // They switch the probe on and off, compare two features, and correct a tool: nothing moves.
+            // These switch the probe, compare two features, and correct a tool: nothing moves.
             Some(p @ (9832.0 | 9833.0 | 9834.0 | 9835.0 | 8832.0 | 8833.0 | 8834.0 | 8835.0))
                 if !self.path.centroid || p < 9834.0 =>
             {
@@ -143,7 +143,7 @@ impl Reader {
         }
     }
 
-    /// Counts a block that is not followed, by the name of its code.
+    /// Counts a block that is not modelled, by the name of its code.
     pub(super) fn named(&mut self, name: &[u8], foreign: Foreign) {
         const LONGEST: usize = 12;
         let letters = name
@@ -174,7 +174,7 @@ impl Reader {
     }
 }
 
-/// What is said of such a code.
+/// Text about such a code.
 pub(super) fn by_name(named: &Named) -> Text {
     let (name, foreign) = (printable(&named.name), named.foreign);
     if let Some(title) = named.title {

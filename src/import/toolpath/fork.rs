@@ -1,14 +1,14 @@
-//! Both ways of a condition that is not known: each is read from where they part, and where they meet a position, a mode and a feed are known only if
-//! both ways agree.
+//! Follows both branches of an unknown condition: each from the state where they part. Where they meet, a position, a mode and a feed are known only if both
+//! agree.
 
 use crate::import::toolpath::block::{Fork, State};
 use crate::import::toolpath::modes::{Modes, Unsure};
 use crate::import::toolpath::reader::Reader;
 
-/// Bound on the branches that are open at one time.
+/// Largest number of branches that are open at the same time.
 const MOST_FORKS: usize = 200;
 
-/// What two ways agree on; NaN is not known.
+/// Common knowledge of two branches; NaN is unknown.
 fn agreed(own: State, mut other: State) -> State {
     let same = |a: f64, b: f64| if a == b { a } else { f64::NAN };
     other.frames.agree(&own.frames);
@@ -21,7 +21,7 @@ fn agreed(own: State, mut other: State) -> State {
 }
 
 impl Modes {
-    /// The modes after one of two ways.
+    /// The modes after one of two branches.
     fn agreed(self, other: Modes) -> Modes {
         let moves = |modes: Modes| (modes.motion, modes.curve, modes.given);
         let counts = |modes: Modes| (modes.absolute, modes.diameter, modes.polar);
@@ -57,7 +57,7 @@ impl Reader {
         }
     }
 
-    /// A condition that is not known: its lines are run, or not. `until` is where a jump leads to.
+    /// Begins an unknown condition: its lines run or not. `until` is the target of a jump.
     pub(super) fn parts(&mut self, until: Option<usize>) {
         if self.run.is_none() {
             return;
@@ -68,7 +68,7 @@ impl Reader {
             .iter_mut()
             .find(|fork| until.is_some() && fork.until == until);
         if let Some(fork) = known {
-            // Another way leads there.
+            // Another branch leads there.
             fork.begins = agreed(own, fork.begins.clone());
         } else if self.forks.len() < MOST_FORKS {
             self.forks.push(Fork {
@@ -80,7 +80,7 @@ impl Reader {
         }
     }
 
-    /// The next way of the same condition, in any case if none before it was run.
+    /// Begins the next branch of the same condition; `otherwise`: it runs if no earlier one did.
     pub(super) fn other_way(&mut self, otherwise: bool) {
         let own = self.state();
         let Some(fork) = self
@@ -100,7 +100,7 @@ impl Reader {
         self.continues_from(begins);
     }
 
-    /// The ways of the innermost condition meet, or those of a jump to this line.
+    /// Joins the branches of the innermost condition, or those of a jump to this line.
     pub(super) fn meet(&mut self, line: Option<usize>) {
         while let Some(at) = self.forks.iter().rposition(|fork| fork.until == line) {
             let fork = self.forks.swap_remove(at);
@@ -118,7 +118,7 @@ impl Reader {
         }
     }
 
-    /// The next move begins here, and not where the one before ended.
+    /// The next move begins here instead of at the end of the previous one.
     fn continues_from(&mut self, state: State) {
         let same = |axis: usize| {
             let (place, own) = (state.place[axis], self.place[axis]);

@@ -13,7 +13,7 @@ use crate::import::toolpath::control_kind::{ControlKind, Renames};
 /// X, Y, Z.
 pub(super) type Position = [f64; 3];
 
-/// Which of X, Y, Z, or of I, J, K: a bit each.
+/// A set of X, Y, Z, or of I, J, K: one bit each.
 pub(super) type Axes = u8;
 
 const UNKNOWN: Position = [f64::NAN; 3];
@@ -22,7 +22,7 @@ const NOTHING: Position = [0.0; 3];
 /// X and Y, which a rotation mixes.
 const LEVEL: Axes = 3;
 
-/// So many work offsets are kept in mind.
+/// Largest number of stored work offsets.
 const MOST_OFFSETS: usize = 200;
 
 /// A work offset.
@@ -36,12 +36,12 @@ struct Offset {
     angle: f64,
 }
 
-/// A register that is added to every work offset.
+/// A register added to every work offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Register {
     /// G92.
     Shift,
-    /// G52, TRANS, cycle 7. It is 0 when a program begins [I].
+    /// G52, TRANS, cycle 7. It is 0 when a program begins \[I\].
     Local,
     /// The offset that a Fanuc adds to all others.
     External,
@@ -50,28 +50,28 @@ pub(super) enum Register {
 #[derive(Clone, Debug)]
 pub(super) struct Frames {
     pub kind: ControlKind,
-    /// The work offsets as they are stored, by number: 1 is G54.
+    /// Stored work offsets by number: 1 is G54.
     offsets: Vec<(i32, Offset)>,
-    /// The number that the program has selected; before that it is taken to be 1.
+    /// Number that the program has selected; before that 1 is assumed.
     active: Option<i32>,
-    /// The active one as it was loaded.
+    /// The active offset as it was loaded.
     now: Offset,
-    /// The registers, in the order of [`Register`].
+    /// Registers, in the order of [`Register`].
     shifts: [Position; 3],
-    /// What G92.3 brings back.
+    /// Shift that G92.3 restores.
     kept: Position,
     length: Position,
-    /// The length of the tool in the spindle, by the tool table.
+    /// Length of the tool in the spindle, from the tool table.
     table: Position,
-    /// The rotation that the program has set: its centre, in degrees.
+    /// Rotation that the program has set: centre, and angle in degrees.
     turned: Option<(Position, f64)>,
-    /// Whether an offset that nothing sets is 0.
+    /// Whether an offset that was never set is 0.
     zero: bool,
     /// Whether the first move was made.
     pub begun: bool,
     /// Whether the system has moved since the last move.
     changed: bool,
-    /// Whether a change that is not known left a position as it was.
+    /// Whether an unknown change left a position as it was.
     guessed: bool,
 }
 
@@ -81,12 +81,12 @@ impl Default for Frames {
     }
 }
 
-/// A position about 0, turned. Without an angle each axis is known or unknown independently.
+/// A position rotated about 0. Without a known angle each axis is known or unknown independently.
 pub(super) fn turn(angle: f64, p: Position) -> Position {
     if angle == 0.0 {
         return p;
     }
-    // Quarters are exact.
+    // Quarter turns are exact.
     let (sin, cos) = match angle.rem_euclid(360.0) {
         90.0 => (1.0, 0.0),
         180.0 => (0.0, -1.0),
@@ -110,7 +110,7 @@ fn each(axes: Axes) -> impl Iterator<Item = usize> {
 }
 
 impl Frames {
-    /// Nothing is known of the offsets, or that each of them is 0.
+    /// Nothing is known about the offsets, or each of them is 0.
     pub fn new(kind: ControlKind, zero: bool) -> Self {
         let start = if zero { NOTHING } else { UNKNOWN };
         let now = Offset {
@@ -143,22 +143,22 @@ impl Frames {
         }
     }
 
-    /// Whether a change that is not known has left a position as it was, since this was asked.
+    /// Whether an unknown change has left a position as it was since the last call.
     pub fn take_guess(&mut self) -> bool {
         std::mem::take(&mut self.guessed)
     }
 
-    /// The number of the active work offset, where the program selects one.
+    /// Number of the active work offset, if the program selects one.
     pub fn active(&self) -> Option<i32> {
         self.active
     }
 
-    /// The same; where every offset is 0 before the program, the first one is taken as active.
+    /// Number of the active work offset; if every offset is 0 before the program, the first one is assumed.
     pub fn assumed_active(&self) -> Option<i32> {
         self.active.or_else(|| self.zero.then(|| self.number()))
     }
 
-    /// The number of the active work offset; before one is selected that of G54.
+    /// Number of the active work offset; before one is selected that of G54.
     pub fn number(&self) -> i32 {
         let first = if self.kind == ControlKind::Heidenhain {
             i32::MIN
@@ -177,7 +177,7 @@ impl Frames {
         add(offset.origin, turn(offset.angle, self.turned(p)))
     }
 
-    /// The position of a place in the drawn system.
+    /// Position in an offset of a point in the drawn system.
     fn position_in(&self, offset: &Offset, drawn: Position) -> Position {
         let p = turn(-offset.angle, less(drawn, offset.origin));
         match self.turned {
@@ -206,7 +206,7 @@ impl Frames {
             .any(|x| x.is_nan())
     }
 
-    /// The origin of the system in the drawn one and its rotation, if they have changed since they were taken.
+    /// Origin and rotation of the system in the drawn one, if they have changed since the last call.
     pub fn take_change(&mut self) -> Option<[f64; 4]> {
         if !std::mem::take(&mut self.changed) {
             return None;
@@ -232,7 +232,7 @@ impl Frames {
         }
     }
 
-    /// The origin of a work offset by its zero in machine coordinates: from another one that is known in both.
+    /// Origin of a work offset from its zero in machine coordinates, by another offset that is known in both.
     fn related(&self, machine: Position) -> Position {
         let all = self.offsets.iter().map(|(_, offset)| offset);
         let known: Vec<&Offset> = all
@@ -256,13 +256,13 @@ impl Frames {
         }
     }
 
-    /// Changes the system. The machine does not move, and its position gets another number.
+    /// Changes the system. The machine does not move, and its position gets other numbers.
     fn change(&mut self, position: &mut Position, change: impl FnOnce(&mut Self)) {
         let drawn = self.drawn(*position);
         change(self);
         self.begins_here();
         let after = self.position_in(&self.now, drawn);
-        // Without the noise of sine and cosine.
+        // Without rounding noise.
         let after = if self.is_turned() {
             after.map(|x| (x * 1e9).round() / 1e9)
         } else {
@@ -297,11 +297,11 @@ impl Frames {
         }
     }
 
-    /// G54 and its kin.
+    /// Selects a work offset: G54 and the others.
     pub fn select(&mut self, number: i32, position: &mut Position) {
         let loads = number != self.number() || self.kind.loads_active_again();
         self.change(position, |frames| {
-            // What is left is kept in mind.
+            // The previous offset is stored.
             frames.store(frames.number(), frames.offset(frames.number()));
             if loads {
                 frames.now = frames.offset(number);
@@ -311,7 +311,7 @@ impl Frames {
         });
     }
 
-    /// The present position gets these numbers in a work offset: `G10 L20`.
+    /// The current position gets these numbers in a work offset: `G10 L20`.
     pub fn write_position(
         &mut self,
         number: Option<i32>,
@@ -345,14 +345,14 @@ impl Frames {
                 own.origin[axis] += off[axis];
                 own.machine[axis] += off[axis];
             } else {
-                // What was not known is by this.
+                // Unknown values become known by this.
                 own.origin[axis] = drawn[axis] - named[axis];
                 own.machine[axis] =
                     self.now.machine[axis] + own.origin[axis] - self.now.origin[axis];
             }
         }
         if is_turned && axes & LEVEL != LEVEL {
-            // What a rotated offset becomes along an axis that is not named is not followed.
+            // The effect on a rotated offset along an axis that is not named is not modelled.
             each(LEVEL).for_each(|axis| own.origin[axis] = f64::NAN);
             if is_active {
                 each(LEVEL & !axes).for_each(|axis| named[axis] = f64::NAN);
@@ -367,7 +367,7 @@ impl Frames {
         self.changed = true;
     }
 
-    /// A work offset gets these values, and a rotation: `G10 L2`. `added`: to those that it has.
+    /// A work offset gets these values and a rotation: `G10 L2`. `added`: to its present values.
     pub fn write_value(
         &mut self,
         number: Option<i32>,
@@ -410,7 +410,7 @@ impl Frames {
             };
         }
         if let Some(angle) = angle {
-            // What becomes of a shift that is active then is not followed.
+            // The effect on a shift that is active then is not modelled.
             let is_shifted = self
                 .shifts
                 .iter()
@@ -423,7 +423,7 @@ impl Frames {
         own
     }
 
-    /// A work offset is written as a variable: one axis, or its rotation (axis 3).
+    /// Writes a work offset as a variable: one axis, or its rotation (axis 3).
     pub fn write_variable(
         &mut self,
         number: i32,
@@ -444,7 +444,7 @@ impl Frames {
         self.store(number, written);
     }
 
-    /// Any work offset may have been written, along these axes.
+    /// Any work offset may have been written along these axes.
     pub fn forget(&mut self, axes: Axes, position: &mut Position) {
         self.change(position, |frames| {
             let all = frames.offsets.iter_mut().map(|(_, offset)| offset);
@@ -456,8 +456,8 @@ impl Frames {
         });
     }
 
-    /// A work offset gets what a cycle has measured along these axes; without a number, or with another one than is known, it may be any. A nominal part changes
-    /// nothing.
+    /// A work offset gets the measurement of a cycle along these axes. Without a number, or with an unknown one, any offset may be written. A nominal part
+    /// changes nothing.
     pub fn measured(
         &mut self,
         number: Option<i32>,
@@ -486,7 +486,7 @@ impl Frames {
         });
     }
 
-    /// The present position gets these numbers by a shift: G92.
+    /// The current position gets these numbers by a shift: G92.
     pub fn shift_to(&mut self, axes: Axes, mut values: Position, position: &mut Position) {
         match self.kind.renames() {
             Renames::Active => return self.write_position(None, axes, values, position),
@@ -521,7 +521,7 @@ impl Frames {
         }
     }
 
-    /// A register that is added to every work offset gets these values.
+    /// A register added to every work offset gets these values.
     pub fn set_shift(
         &mut self,
         register: Register,
@@ -543,7 +543,7 @@ impl Frames {
                 } else {
                     values[axis]
                 };
-                // What a shift does under a rotation differs from control to control.
+                // The effect of a shift under a rotation differs between controls.
                 let mixed = frames.turned.is_some() && axis < 2;
                 off[axis] = if mixed {
                     f64::NAN
@@ -568,12 +568,12 @@ impl Frames {
         self.kept = kept;
     }
 
-    /// G92.3 brings it back.
+    /// G92.3 restores it.
     pub fn bring_shift_back(&mut self, position: &mut Position) {
         self.set_shift(Register::Shift, (7, self.kept), false, position);
     }
 
-    /// The shift and the rotation that a program of a SINUMERIK or a HEIDENHAIN has set end; it gets another shift.
+    /// Ends the shift and the rotation that a program of a SINUMERIK or a HEIDENHAIN has set, and sets another shift.
     pub fn replace_program_shift(&mut self, axes: Axes, values: Position, position: &mut Position) {
         self.change(position, |frames| frames.turned = None);
         let mut all = NOTHING;
@@ -581,7 +581,7 @@ impl Frames {
         self.set_shift(Register::Local, (7, all), false, position);
     }
 
-    /// A rotation about a centre, degrees counter-clockwise; without a centre about the present position.
+    /// A rotation about a centre, degrees counter-clockwise; without a centre about the current position.
     pub fn begin_turn(
         &mut self,
         center: Option<Position>,
@@ -603,7 +603,7 @@ impl Frames {
         self.change(position, |frames| frames.turned = None);
     }
 
-    /// The system is mirrored, scaled, tilted, or moved in another way that is not followed.
+    /// The system is mirrored, scaled, tilted, or moved in another way that is not modelled.
     pub fn lose(&mut self, position: &mut Position) {
         self.change(position, |frames| {
             frames.turned = None;
@@ -611,7 +611,7 @@ impl Frames {
         });
     }
 
-    /// The length of the tool, along the axes: NaN is not known. Gives the axes along which the position is not known by this.
+    /// Sets the tool length along the axes: NaN is unknown. Returns the axes whose position becomes unknown.
     pub fn set_length(
         &mut self,
         axes: Axes,
@@ -644,7 +644,7 @@ impl Frames {
         self.length
     }
 
-    /// The length of the tool in the spindle, by the tool table.
+    /// Length of the tool in the spindle, from the tool table.
     pub fn table(&self) -> Position {
         self.table
     }
@@ -656,7 +656,7 @@ impl Frames {
         }
     }
 
-    /// Adds up to machine coordinates with those of the drawn system.
+    /// Offset between machine coordinates and those of the drawn system.
     fn machine_offset(&self) -> Position {
         let shifts = self.shifts.iter().fold(NOTHING, |sum, one| add(sum, *one));
         let zero = less(self.now.machine, self.now.origin);
@@ -668,7 +668,7 @@ impl Frames {
         add(self.drawn(position), self.machine_offset())
     }
 
-    /// The position after a move to coordinates of the machine along these axes, from another one. The machine does not move along the others.
+    /// Position after a move to machine coordinates along these axes, from another position. The machine does not move along the others.
     pub fn after_machine_move(&self, axes: Axes, values: Position, from: Position) -> Position {
         let mut machine = self.in_machine(from);
         each(axes).for_each(|axis| machine[axis] = values[axis]);
@@ -680,7 +680,7 @@ impl Frames {
         })
     }
 
-    /// What #5061 and its kin contain after a contact at a position: machine coordinates on FluidNC, without the shift and the tool length on grblHAL.
+    /// Values of #5061 and related variables after a contact at a position: machine coordinates on FluidNC, without the shift and the tool length on grblHAL.
     pub fn contact_variables(&self, position: Position) -> Position {
         match self.kind {
             ControlKind::FluidNc => self.in_machine(position),
@@ -689,7 +689,7 @@ impl Frames {
         }
     }
 
-    /// The values of the first work offsets, as they are stored.
+    /// Stored values of the first work offsets.
     pub fn values(&self) -> [Position; 9] {
         let start = if self.zero { NOTHING } else { UNKNOWN };
         std::array::from_fn(|i| {
@@ -707,7 +707,7 @@ impl Frames {
         self.shifts[0]
     }
 
-    /// What is known before the program: an axis of a work offset, or its rotation (axis 3).
+    /// Sets a value known before the program: an axis of a work offset, or its rotation (axis 3).
     pub fn tell_offset(&mut self, number: i32, axis: usize, value: f64) {
         let mut own = self.offset(number);
         if axis == 3 {
@@ -719,7 +719,7 @@ impl Frames {
         self.tell_active(self.active);
     }
 
-    /// The same of the active work offset: the others lie beside it.
+    /// Sets the active work offset known before the program: the others are relative to it.
     pub fn tell_active(&mut self, number: Option<i32>) {
         self.active = number;
         let number = self.number();
@@ -734,18 +734,18 @@ impl Frames {
         }
     }
 
-    /// The same of an axis of the shift.
+    /// Sets an axis of the shift known before the program.
     pub fn tell_shift(&mut self, axis: usize, value: f64) {
         self.shifts[0][axis] = value;
         self.kept = self.shifts[0];
     }
 
-    /// The same of the length of the tool in the spindle.
+    /// Sets the tool length known before the program.
     pub fn tell_length(&mut self, axis: usize, value: f64) {
         self.table[axis] = value;
     }
 
-    /// Where two ways of a program meet: only what both know alike is known.
+    /// Joins two branches: only values that both know and agree on stay known.
     pub fn agree(&mut self, other: &Frames) {
         fn agreed(own: &mut f64, other: f64) {
             if *own != other {

@@ -1,4 +1,4 @@
-//! Which of the dialects a text is written in.
+//! Recognises the dialect of a text.
 
 use crate::control::iso::lex::{
     after, comment_at, head, lines_of, trimmed, without_count, without_number,
@@ -6,27 +6,27 @@ use crate::control::iso::lex::{
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
 
-/// Signs of a SINUMERIK program.
+/// Syntax of a SINUMERIK program.
 const ALONE: [&str; 12] = [
     "MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(",
     "=DC(",
 ];
 
-/// What others have, too: an Okuma assigns, a macro has texts.
+/// Syntax that other controls have, too: an Okuma assigns, a macro has texts.
 const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
 
-/// Words of its structures: elsewhere they are O words.
+/// Words of its structures; elsewhere they are O words.
 const ENDS: [&[u8]; 4] = [b"ENDIF", b"ENDWHILE", b"ENDFOR", b"ENDLOOP"];
 
-/// Assigned axes, and the codes of units beside them on a SINUMERIK: G70, G710 …
+/// Assigned axes, and the unit codes beside them on a SINUMERIK: G70, G710 …
 const AXES: [&str; 3] = ["X=", "Y=", "Z="];
 const UNITS: [&str; 2] = ["G70", "G71"];
 
-/// So many lines are looked at.
+/// Number of lines that are examined.
 const MOST_LINES: usize = 2000;
 
-/// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` alone. What other controls do as well counts only where no sign of theirs
-/// is in the text.
+/// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` only. Syntax that other controls share counts only if the text has no syntax unique to
+/// them.
 pub(in crate::import) fn guessed(text: &str) -> &'static str {
     // Its first block.
     if lines_of(text)
@@ -38,7 +38,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
     let [mut likely, mut assigns, mut units] = [false; 3];
     for line in lines_of(text).take(MOST_LINES) {
         let line = trimmed(line).as_bytes();
-        // What an archive begins with.
+        // Start of an archive.
         if line.starts_with(b"%_N_") || line.starts_with(b";$PATH=") {
             return DIALECTS[1];
         }
@@ -63,14 +63,14 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
         {
             continue;
         }
-        // A variable with a number belongs to no SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
+        // A variable with a number does not belong to a SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
         if line.contains(&b'#') {
             continue;
         }
-        // A comment may say anything, and so may a text.
+        // Comments and texts may contain anything.
         let code = &line[..comment_at(line, true).unwrap_or(line.len())];
         let plain = String::from_utf8_lossy(before_text(code)).to_ascii_uppercase();
-        // AC(5) and its kin are no comments.
+        // AC(5) and the like are not comments.
         let whole = String::from_utf8_lossy(before_text(line)).to_ascii_uppercase();
         let called = line.get(code.len()) == Some(&b'(');
         if called && (plain == "MSG" || plain.starts_with("CYCLE"))
@@ -92,7 +92,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
     DIALECTS[usize::from(sinumerik)]
 }
 
-/// The first word of each line of code, in capitals, as far as it is looked.
+/// First word of each examined line of code, in capitals.
 fn words(text: &str) -> impl Iterator<Item = String> {
     lines_of(text).take(MOST_LINES).map(|line| {
         let line = trimmed(line).as_bytes();
@@ -115,13 +115,13 @@ pub(super) fn is_lnc(text: &str) -> bool {
     lines_of(text).take(MOST_LINES).any(in_code) || words(text).any(is_own)
 }
 
-/// Whether a program is for an Eding CNC: subroutines by name, whose variables have numbers.
+/// Whether a program is for an Eding CNC: subroutines with names, variables with numbers.
 pub(super) fn is_eding(text: &str) -> bool {
     const WORDS: [&str; 4] = ["GOSUB", "ENDSUB", "DLGMSG", "ERRMSG"];
     text.contains('#') && words(text).any(|word| WORDS.contains(&word.as_str()))
 }
 
-/// Whether a program is for PlanetCNC: by what its measuring macros return, and by its own commands.
+/// Whether a program is for PlanetCNC: by the results of its measuring macros, and by its own commands.
 pub(super) fn is_planetcnc(text: &str) -> bool {
     ["#<_measure", "$<cmd_", "#<_coordsys_", "(dlg,"]
         .iter()
@@ -150,12 +150,12 @@ pub(super) fn is_centroid(text: &str) -> bool {
     })
 }
 
-/// A line up to the text in it, with the quote that begins that.
+/// A line up to the text in it, including the opening quote.
 fn before_text(line: &[u8]) -> &[u8] {
     &line[..memchr::memchr(b'"', line).map_or(line.len(), |at| at + 1)]
 }
 
-/// Whether a line gives an R parameter a value: `R1=5`.
+/// Whether a line sets an R parameter: `R1=5`.
 fn parameter(code: &str) -> bool {
     let value = code
         .strip_prefix('R')

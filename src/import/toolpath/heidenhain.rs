@@ -1,9 +1,9 @@
-//! The ISO of a HEIDENHAIN: `%NAME G71 *` begins it, each block ends in `*`, and many codes mean something else than in other ISO.
+//! HEIDENHAIN's ISO: `%NAME G71 *` begins a program, each block ends in `*`, and many codes have another meaning than in other ISO dialects.
 
 use crate::import::toolpath::reader::Reader;
 
 impl Reader {
-    /// `%NAME G71 *`: the units of what follows.
+    /// `%NAME G71 *`: units of the program.
     #[cold]
     #[inline(never)]
     pub(super) fn heidenhain_head(&mut self, line: &[u8]) {

@@ -6,9 +6,9 @@ use crate::import::toolpath::script::grammar::Language;
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
     Number(i32),
-    /// Of a macro in small letters, of the others in capitals; without blanks.
+    /// Small letters for macros, capitals for the others; without blanks.
     Name(String),
-    /// `#[…]` of what is not known.
+    /// `#[…]` with an unknown value.
     Unknown,
 }
 
@@ -50,7 +50,7 @@ impl Key {
         Key::Name(solid.map(|b| char::from(b.to_ascii_uppercase())).collect())
     }
 
-    /// Its name in a text.
+    /// Name in a text.
     pub fn name(&self, language: Language) -> Option<String> {
         match (self, language) {
             (Key::Number(number), _) => Some(format!("#{number}")),

@@ -1,4 +1,4 @@
-//! What is known beside the text of a program, and what is asked for.
+//! Inputs of a run beyond the text of a program, and the values that it asks for.
 
 use std::rc::Rc;
 
@@ -10,35 +10,35 @@ use crate::job::{FORMAT, JobError, Planned};
 use crate::job::{Picture, Projection};
 use crate::text::text;
 
-/// Where a probing move triggers, as a fraction of its way.
+/// Trigger of a probing move, as a fraction of its length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Trip {
-    /// Not known.
+    /// Unknown.
     #[default]
     Unknown,
     /// At this fraction, 0 to 1.
     At(f64),
-    /// There is no contact: the move comes to its end.
+    /// No contact: the move reaches its end.
     Never,
 }
 
-/// The virtual part of a job, which probing moves meet.
+/// The virtual part of a job, as an obstacle for probing moves.
 #[derive(Clone, Debug)]
 pub struct Feature(Rc<Planned>);
 
 impl Feature {
-    /// The part of a job; none of a job with errors.
+    /// The part of a job; `None` for a job with errors.
     pub fn of(job: &Value) -> Option<Self> {
         crate::job::planned(job).map(|planned| Feature(Rc::new(planned)))
     }
 
-    /// How it is seen, nominal and as it lies.
+    /// Its picture, nominal and displaced.
     #[cfg(target_arch = "wasm32")]
     pub fn picture(&self, view: Projection) -> Picture {
         self.0.picture(view, 1.0, None)
     }
 
-    /// Whether it lies off, or has other sizes than the nominal part.
+    /// Whether it is displaced, or has other sizes than the nominal part.
     #[cfg(target_arch = "wasm32")]
     pub fn deviates(&self) -> bool {
         !self.0.job.placement.nominal
@@ -49,7 +49,7 @@ impl Feature {
         self.0.job.setup.radius
     }
 
-    /// At which fraction of a straight way, in mm, the job's ball makes contact with it.
+    /// Fraction of a straight move, in mm, at which the job's ball contacts it.
     pub(super) fn contact(&self, from: Vec3, to: Vec3) -> Option<f64> {
         let Planned {
             job,
@@ -61,30 +61,30 @@ impl Feature {
     }
 }
 
-/// What is known beside the text.
+/// Inputs of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Known<'t> {
-    /// One of [`super::DIALECTS`]; none is looked for in the text.
+    /// One of [`super::DIALECTS`]; `None` recognises it from the text.
     pub dialect: Option<&'static str>,
-    /// The control, one of [`super::PROGRAM_POSTS`]; none is looked for in the text.
+    /// The control, one of [`super::PROGRAM_POSTS`]; `None` recognises it from the text.
     pub post: Option<&'static str>,
-    /// Whether every work offset, shift and tool length that nothing sets is 0; else they are not known.
+    /// Whether every work offset, shift and tool length that was never set is 0; else they are unknown.
     pub zero: bool,
     /// Values of variables, by their names in the text: `#3014`, `#<_name>`, `R1`, `Q1`.
     pub set: Vec<(&'t str, f64)>,
-    /// Position of the stylus before the first block, in the program's first units; NaN is not known.
+    /// Position of the stylus before the first block, in the program's first units; NaN is unknown.
     pub start: Option<[f64; 3]>,
-    /// Where touches trigger.
+    /// Trigger of touches.
     pub touch: Trip,
-    /// Where positioning moves trigger that are watched by probing.
+    /// Trigger of watched positioning moves.
     pub positioning: Trip,
-    /// What probing moves meet, in the place of both.
+    /// Part that probing moves contact; replaces both triggers.
     pub feature: Option<Feature>,
     /// Texts with subprograms, by their names.
     pub files: Vec<(&'t str, &'t str)>,
 }
 
-/// Something that a program reads and nothing sets.
+/// A value that a program reads without setting it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Ask {
     /// Its name in the text: `#3014`, `#<_name>`, `R1`.
@@ -94,7 +94,7 @@ pub struct Ask {
 }
 
 impl<'t> Known<'t> {
-    /// Out of what a caller hands over: an object with `dialect`, `set`, `start`, `part` and `files`, each of which may be missing.
+    /// Reads the inputs of a caller: an object with `dialect`, `set`, `start`, `part` and `files`, all optional.
     pub fn of(value: &'t Value) -> Result<Self, JobError> {
         let mut checker = Checker::default();
         let mut known = Known::default();
@@ -185,7 +185,7 @@ impl<'t> Known<'t> {
     }
 }
 
-/// The part of a job, which need not say its format.
+/// The part of a job, which need not give its format.
 fn feature(job: &Value, checker: &mut Checker) -> Option<Feature> {
     let mut job = job.clone();
     if let Value::Map(entries) = &mut job
@@ -209,7 +209,7 @@ fn feature(job: &Value, checker: &mut Checker) -> Option<Feature> {
     feature
 }
 
-/// Three numbers, or null for what is not known.
+/// Three numbers, or null for unknown ones.
 fn start(value: &Value, checker: &mut Checker) -> Option<[f64; 3]> {
     let axis = |value: &Value| match value {
         Value::Number(x) if x.is_finite() => Some(*x),
@@ -289,7 +289,7 @@ fn texts<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t 
     files
 }
 
-/// A fraction of a way; null: no contact; left out: not known.
+/// A fraction of a move; null: no contact; left out: unknown.
 fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
     match value {
         None | Some(Value::Other("undefined")) => Trip::Unknown,

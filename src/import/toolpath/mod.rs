@@ -1,7 +1,7 @@
-//! The moves of any program, as columns: a reader that follows words and nothing else. What has to be computed or jumped to is passed over, and
-//! said. Nothing is proven of what it reads: that is for the readers of `control`, which refuse what they do not understand.
+//! The moves of any program, as columns. This reader follows words and ignores lines that it does not understand, with a note. It proves nothing: the readers
+//! of `control` do, which refuse lines that they do not understand.
 //!
-//! G0 to G3, probing as `G38.n`, `G31`, `G31.n` and `MEAS=1 G1`, units, planes, absolute and incremental places, arcs by centre or radius.
+//! G0 to G3, probing as `G38.n`, `G31`, `G31.n` and `MEAS=1 G1`, units, planes, absolute and incremental positions, arcs by centre or radius.
 
 mod block;
 mod calls;
@@ -61,10 +61,10 @@ use skipped::Skip;
 use watch::{Behind, probes};
 pub use writes::{WRITE_KINDS, Write};
 
-/// The longest program that is read, in UTF-16 units.
+/// Longest program that is read, in UTF-16 units.
 pub use crate::job::LONGEST_PROGRAM;
 
-/// Refuses a program of so many UTF-16 units.
+/// Refusal of a program with this number of UTF-16 units.
 pub fn too_long(units: usize) -> JobError {
     let message = text!(
         "This text has {size} million characters: at most {most} million are read",
@@ -74,69 +74,69 @@ pub fn too_long(units: usize) -> JobError {
     super::refused_as_too_long(message)
 }
 
-/// What a move is, by its place in the column `kind`.
+/// Kinds of moves, by their values in the column `kind`.
 pub const KINDS: [&str; 3] = ["rapid", "feed", "probe"];
 const RAPID: u8 = 0;
 const FEED: u8 = 1;
 const PROBE: u8 = 2;
 
-/// The ways programs are written that this reader tells apart.
+/// Dialects that this reader distinguishes.
 pub const DIALECTS: [&str; 3] = ["iso", "sinumerik", "klartext"];
 
 /// The moves of a program, column by column. Lengths are in the units that the program states first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Toolpath {
-    /// Which of [`DIALECTS`] it was read as.
+    /// Dialect, one of [`DIALECTS`].
     pub dialect: &'static str,
-    /// The control that it was read for, by its key: the one that was told, or the one that its words show.
+    /// Key of the control that it was read for: the given one, or the recognised one.
     pub post: Option<&'static str>,
     /// Whether its units are millimetres; `None` if it does not say.
     pub metric: Option<bool>,
-    /// Where each move ends, three numbers a move. NaN along an axis whose place is not known.
+    /// End of each move, three numbers a move; NaN along an axis with an unknown position.
     pub to: Vec<f64>,
-    /// What each move is: a place in [`KINDS`].
+    /// Kind of each move: an index into [`KINDS`].
     pub kind: Vec<u8>,
-    /// The feed of each move, units per minute; NaN for a rapid, or where none was stated.
+    /// Feed of each move, units per minute; NaN for a rapid, or without a stated feed.
     pub feed: Vec<f64>,
     /// The 0-based line of each move, in its own text.
     pub line: Vec<u32>,
-    /// The text of each move: 0 is the program, what is above it a file of subprograms, counted from 1. Empty where there are none.
+    /// File of each move: 0 is the program, higher numbers are files of subprograms, counted from 1. Empty without files.
     pub file: Vec<u32>,
-    /// The arcs: index of the move, centre, degrees counter-clockwise seen against the axis of their plane, and that plane: 17, 18 or 19.
+    /// Arcs: index of the move, centre, degrees counter-clockwise seen against the axis of their plane, and the plane: 17, 18 or 19.
     pub arcs: Vec<[f64; 6]>,
-    /// The plane that the program chose first; arcs may be in another one.
+    /// Plane that the program chose first; arcs may be in another one.
     pub plane: Plane,
-    /// Where probing moves made contact: index of the move, and the place. Of a run that is told where they trigger.
+    /// Contacts of probing moves: index of the move, and position. For a run with known triggers.
     pub contacts: Vec<[f64; 4]>,
-    /// Where moves begin that do not begin where the one before ended, of a run: index of the move, and the place. The ways of a condition that is not known.
+    /// Moves that do not begin at the end of the previous one: index of the move, and start. From the branches of an unknown condition.
     pub resumes: Vec<[f64; 4]>,
-    /// Where the coordinate system moves: index of the first move in it, its origin in the system of the first move, and its rotation in degrees. NaN is not
-    /// known.
+    /// Changes of the coordinate system: index of the first move in it, its origin in the system of the first move, and its rotation in degrees. NaN is
+    /// unknown.
     pub systems: Vec<[f64; 5]>,
-    /// What was ignored, and where the path is not known.
+    /// Notes about ignored lines and unknown positions.
     pub findings: Vec<Finding>,
-    /// The 0-based lines of each finding.
+    /// 0-based lines of each finding.
     pub finding_lines: Vec<Vec<u32>>,
-    /// What the program reads before anything sets it.
+    /// Values that the program reads without setting them.
     pub asks: Vec<Ask>,
     /// Calls of native cycles, in the order in which they run.
     pub calls: Vec<NativeCall>,
-    /// What the safety rules say of a run that probes.
+    /// Safety rules for a run that probes.
     pub rules: Vec<RunRule>,
-    /// What a run writes that lasts, in its order.
+    /// Lasting writes of a run, in order.
     pub writes: Vec<Write>,
-    /// Where the stylus stood before the first move.
+    /// Position of the stylus before the first move.
     pub(crate) start: [f64; 3],
-    /// Whether it probes by G38.2 and its kin.
+    /// Whether it probes with G38.2 and related codes.
     pub(crate) by_g38: bool,
-    /// Whether it is for a Centroid, whose macros have numbers of Renishaw's.
+    /// Whether it is for a Centroid, whose macros share numbers with Renishaw's.
     pub(crate) centroid: bool,
-    /// The line in which an alarm ends a run.
+    /// Line of the alarm that ends a run.
     pub(crate) stopped: Option<u32>,
 }
 
 impl Toolpath {
-    /// The number of moves: `kind`, `feed` and `line` have one entry for each.
+    /// Number of moves: `kind`, `feed` and `line` have one entry for each.
     pub fn len(&self) -> usize {
         self.kind.len()
     }
@@ -146,12 +146,12 @@ impl Toolpath {
         self.kind.is_empty()
     }
 
-    /// Where a move ends, in the program's units: NaN along an axis whose place is not known. Panics beyond the last move.
+    /// End of a move in the program's units: NaN along an axis with an unknown position. Panics beyond the last move.
     pub fn end(&self, index: usize) -> Vec3 {
         Vec3::from_slice(&self.to[3 * index..3 * index + 3])
     }
 
-    /// Where a move begins: where the one before ended, or met something.
+    /// Start of a move: the end or the contact of the previous one.
     fn begin(&self, index: usize) -> Vec3 {
         let Some(before) = index.checked_sub(1) else {
             return self.start.into();
@@ -175,7 +175,7 @@ impl Toolpath {
         turned(-new[3], turned(old[3], place) + origin(old) - origin(new))
     }
 
-    /// The next move is made in a system with this origin and rotation.
+    /// The next move is in a system with this origin and rotation.
     fn enters_system(&mut self, system: [f64; 4]) {
         if !same(self.system(self.len()), system) {
             let [x, y, z, angle] = system;
@@ -183,7 +183,7 @@ impl Toolpath {
         }
     }
 
-    /// The origin and the rotation of the system in which a move is made.
+    /// Origin and rotation of the system of a move.
     fn system(&self, index: usize) -> [f64; 4] {
         let at = self
             .systems
@@ -197,13 +197,13 @@ impl Toolpath {
         }
     }
 
-    /// The coordinates of a position of the system of a move in the system of the first move: NaN if its origin is not known.
+    /// Coordinates of a position in the system of the first move: NaN if its origin is unknown.
     fn drawn(&self, index: usize, position: Vec3) -> Vec3 {
         let system = self.system(index);
         turned(system[3], position) + origin(system)
     }
 
-    /// The same path with all positions in the system of the first move. Along an axis whose origin is not known they stay as written.
+    /// The path with all positions in the system of the first move. Along an axis with an unknown origin they stay as written.
     pub fn in_one_system(self) -> Toolpath {
         if self.systems.is_empty() {
             return self;
@@ -233,31 +233,31 @@ fn origin([x, y, z, _]: [f64; 4]) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Whether two systems are the same, as far as is known.
+/// Whether two systems are equal, comparing known values.
 fn same(one: [f64; 4], other: [f64; 4]) -> bool {
     let alike = |(a, b): (f64, f64)| a == b || a.is_nan() && b.is_nan();
     one.into_iter().zip(other).all(alike)
 }
 
-/// A position about 0, turned about Z. Without an angle each axis is known or unknown independently.
+/// A position rotated about 0 around Z. Without a known angle each axis is known or unknown independently.
 fn turned(angle: f64, position: Vec3) -> Vec3 {
     frames::turn(angle, position.to_array()).into()
 }
 
-/// Reads a program. `dialect` is one of [`DIALECTS`]; none is looked for in the text.
+/// Reads a program. `dialect` is one of [`DIALECTS`]; `None` recognises it from the text.
 pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let dialect = dialect.unwrap_or_else(|| guessed(text));
     let mut reader = Reader::new(text, dialect);
-    // Long programs show early whose they are.
+    // Long programs show their dialect early.
     const ENOUGH: usize = 50_000;
     let head = (ENOUGH..ENOUGH + 4).find_map(|end| text.get(..end));
     reader.path.post = ControlKind::of(head.unwrap_or(text), dialect, None).post();
     run(text, text.len(), dialect, &[], reader)
 }
 
-/// Runs a program with what is known beside its text: [`read_program`] with values of variables, a start, and what touches meet. After a touch of which that
-/// is not known, the place along its way is not known. Lines of other files count on from those of the text.
+/// Runs a program with inputs beyond its text: [`read_program`] with values of variables, a start, and triggers of touches. After a touch with an unknown
+/// trigger the position along it is unknown. Lines of other files are numbered after those of the text.
 pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let told = known
@@ -298,7 +298,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     reader.path.start = reader.place;
     reader.log = Some(Log::default());
     let mut path = run(&whole, text.len(), dialect, &known.set, reader);
-    // From the lines of the whole to those of each file.
+    // From line numbers of the whole to those of each file.
     if !files.is_empty() {
         path.file = path
             .line
@@ -339,13 +339,13 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     path
 }
 
-/// Whether a text is the ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
+/// Whether a text is HEIDENHAIN's ISO, which begins with `%NAME G71 *`.
 fn is_heidenhain(text: &str) -> bool {
     let first = lines_of(text).map(trimmed).find(|line| !line.is_empty());
     first.is_some_and(|line| line.starts_with('%') && line.ends_with('*'))
 }
 
-/// Reads the first bytes of a text; what is below may be called.
+/// Reads the first bytes of a text; lines below may be called.
 fn run(
     text: &str,
     end: usize,
@@ -360,7 +360,7 @@ fn run(
     }
     let kind = reader.frames.kind;
     let grammar = if dialect == DIALECTS[1] {
-        // A text that is only read is read as it was: the run is what knows more.
+        // A text that is only read is not run: the run adds knowledge.
         reader.run.is_some().then_some(&SINUMERIK)
     } else if reader.run.is_some() && is_heidenhain(text) {
         Some(&HEIDENHAIN)
@@ -401,7 +401,7 @@ fn run(
     finished(text, run.reader, asks, &shown)
 }
 
-/// The path, with what is said of the whole.
+/// The path, with findings about the whole program.
 fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
     let log = reader.log.take();
     let unread = reader.unread();
@@ -444,10 +444,10 @@ fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) ->
     path
 }
 
-/// A program while it is read.
+/// State of reading a program.
 struct Run<'t> {
     text: &'t str,
-    /// Where the program itself ends: what is below may be called.
+    /// End of the program itself: lines below may be called.
     end: usize,
     /// Position of the stylus before the first block.
     start: [f64; 3],
@@ -489,7 +489,7 @@ impl Run<'_> {
             match self.step(line, here, below) {
                 Step::AsWritten => self.reader.read(line, &mut block),
                 Step::Read(read) => {
-                    // What is read may be another code.
+                    // The replacement may be another code.
                     if !probes(line) {
                         self.probes_ahead(&read, below);
                     }
@@ -533,7 +533,7 @@ impl Run<'_> {
             }
             self.reader.line += 1;
             at = below;
-            // An unknown jump may have gone over the end of a subprogram.
+            // An unknown jump may have passed the end of a subprogram.
             let is_open = self.macros.as_ref().is_some_and(|macros| !macros.is_sure());
             if self.reader.returned
                 && is_open
@@ -574,7 +574,7 @@ impl Run<'_> {
         }
     }
 
-    /// Where it goes on at the end of the lines: in a loop that ends with them, or behind the call of what ends with the text.
+    /// Continuation at the end of the lines: in a loop that ends with them, or after the call of a subprogram that ends with the text.
     fn behind_the_end(&mut self, at: usize) -> Option<Place> {
         let macros = self.macros.as_mut().filter(|_| !self.reader.ended)?;
         while let Some(step) = macros.dedents(self.reader.line) {
@@ -599,7 +599,7 @@ impl Run<'_> {
                 .is_some_and(|macros| macros.is_inside())
     }
 
-    /// A run tells the macros what the control knows, and whether the probing move that comes is a positioning move that is watched.
+    /// Passes the control's values to the macros of a run, and whether the next probing move is watched positioning.
     #[inline]
     fn looks_ahead(&mut self, line: &[u8], below: usize) {
         if self.reader.run.is_none() {
@@ -618,7 +618,7 @@ impl Run<'_> {
         }
     }
 
-    /// What the program does behind a probing move.
+    /// Behaviour of the program after a probing move.
     fn probes_ahead(&mut self, line: &[u8], below: usize) {
         let Some(touching) = &mut self.reader.run else {
             return;
@@ -628,7 +628,7 @@ impl Run<'_> {
         }
     }
 
-    /// In a text of subroutines alone these are shown, though nothing says what they are called with: their names.
+    /// Names of subroutines in a text without a main program. They are shown, although their arguments are unknown.
     fn subroutines(&mut self) -> Vec<String> {
         let mut shown = Vec::new();
         let end = Place {
@@ -647,7 +647,7 @@ impl Run<'_> {
         shown
     }
 
-    /// What becomes of a line. Below the end, what ran where it was called is not reported.
+    /// Treatment of a line. Lines after the end that ran where they were called are not reported.
     #[inline]
     fn step(&mut self, line: &[u8], here: Place, below: usize) -> Step {
         let ended = self.reader.ended;
@@ -670,7 +670,7 @@ impl Run<'_> {
     }
 }
 
-/// Says how far the axes run on after the contact of the fastest touch.
+/// Finding: distance that the axes travel after the contact of the fastest touch.
 #[cold]
 fn fast(way: f64, feed: f64, unit: &str) -> Finding {
     let message = text!(
@@ -681,7 +681,7 @@ fn fast(way: f64, feed: f64, unit: &str) -> Finding {
     Finding::new(Level::Warning, "touch-fast", "", message)
 }
 
-/// Says that a subroutine is shown though nothing calls it.
+/// Finding: a subroutine is shown although nothing calls it.
 #[cold]
 fn not_called(name: &str) -> Finding {
     let message = text!(
@@ -691,7 +691,7 @@ fn not_called(name: &str) -> Finding {
     Finding::new(Level::Info, "not-called", "", message)
 }
 
-/// Says that a text gives no move, and whether that may be because of its semicolons.
+/// Finding: a text has no moves, and whether its semicolons may be the reason.
 #[cold]
 #[inline(never)]
 fn no_moves(text: &str) -> Finding {

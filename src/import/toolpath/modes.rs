@@ -1,50 +1,50 @@
-//! The modes that stay in force from block to block.
+//! Modes that stay active from block to block.
 
 use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 
-/// What places are, until a motion.
+/// Meaning of axis words, until a motion.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Given {
-    /// Where the axes go.
+    /// Target of a move.
     Place,
-    /// Where a cycle runs, from G81 on; G80 ends it, too.
+    /// Position of a cycle, from G81 on; G80 ends it, too.
     Cycle,
     /// Control points of a spline; its end ends them, too.
     Control,
 }
 
-/// Modes that are not known, for two ways of the program left them in different ways.
+/// Unknown modes: two branches of the program left them different.
 #[derive(Clone, Copy, Default, PartialEq)]
 pub(super) struct Unsure {
-    /// How the axes go, until a block names a motion.
+    /// Motion, until a block names one.
     pub motion: bool,
     /// Whether axis words are positions, until G90 or G91.
     pub distance: bool,
 }
 
-/// What stays in force from block to block.
+/// Modes that stay active from block to block.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Modes {
     pub unsure: Unsure,
     pub motion: Motion,
-    /// That motion is a curve, straight here.
+    /// That motion is a curve, treated as straight.
     pub curve: bool,
     pub given: Given,
     pub absolute: bool,
-    /// Whether the program says so.
+    /// Whether the program states it.
     pub stated: bool,
-    /// Whether what was called since, and is not in the text, may have changed it.
+    /// Whether a call since then, outside this text, may have changed it.
     pub maybe_changed: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
-    /// Units of the path in a unit that the program has now.
+    /// Units of the path in a current unit of the program.
     pub scale: f64,
-    /// Feeds are not by the minute: G93, G95.
+    /// Feeds are not per minute: G93, G95.
     pub by_other: bool,
     /// X is a diameter: G7.
     pub diameter: bool,
-    /// Positions are given by a distance from a pole and an angle: G16.
+    /// Positions are polar, a distance from a pole and an angle: G16.
     pub polar: bool,
 }
 

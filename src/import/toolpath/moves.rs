@@ -1,4 +1,4 @@
-//! The moves that blocks make: where each ends, and the arcs.
+//! Moves of blocks: their ends, and arcs.
 
 use crate::control::iso::script::Motion;
 use crate::geom::{Plane, Vec3};
@@ -11,11 +11,11 @@ use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 use crate::path::Arc;
 
-/// Bound on whole turns in a program, by P: further ones are straight, so that drawing ends.
+/// Largest number of full turns in a program, by P: further ones are straight, so that drawing ends.
 const MOST_TURNS: f64 = 10_000.0;
 
 impl Reader {
-    /// Makes the move of a block that names places.
+    /// Makes the move of a block with positions.
     pub fn moves(&mut self, block: &Block) {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
@@ -63,7 +63,7 @@ impl Reader {
         }
     }
 
-    /// Adds a move that ends at the present position; returns its kind.
+    /// Adds a move that ends at the current position; returns its kind.
     #[inline]
     pub fn arrives(&mut self, motion: Motion) -> u8 {
         let kind = match motion {
@@ -85,9 +85,9 @@ impl Reader {
         kind
     }
 
-    /// Where a block goes.
+    /// Target of a block.
     fn goes(&mut self, block: &Block, from: [f64; 3]) {
-        // Which axes are given as places, and not as distances.
+        // Axes given as positions instead of distances.
         let is_unsure = self.modes.unsure.distance
             || self.modes.unsure.motion && block.once.is_none() && !block.motion;
         let places = if self.modes.absolute {
@@ -110,7 +110,7 @@ impl Reader {
             } else if places & (1 << axis) != 0 {
                 x
             } else if from[axis].is_nan() {
-                // The start is not known: it is counted from 0, but in a run, which knows nothing then.
+                // The start is unknown: it counts from 0, except in a run, where it stays unknown.
                 count(&mut self.from_unknown, self.line);
                 if self.run.is_some() { f64::NAN } else { x }
             } else {
@@ -140,12 +140,12 @@ impl Reader {
         }
     }
 
-    /// Where a probing move ends on its way to the place that its block gives.
+    /// End of a probing move on its way to the target of its block.
     #[cold]
     fn touched(&mut self, from: [f64; 3], motion: Motion, block: &Block) {
         let Some(run) = &mut self.run else { return };
         let to = self.place;
-        // A Haas says itself what the move is.
+        // A Haas states the kind of the move itself.
         match block.contact {
             Some(Motion::MustBeFree) => {
                 (run.behind.watched, run.behind.asked) = (true, true);
@@ -179,7 +179,7 @@ impl Reader {
         } else {
             1.0
         };
-        // The part stays where it is, whatever a program calls its places.
+        // The part stays, whatever a program calls its positions.
         let seen = |p: [f64; 3]| Vec3::from_array(self.frames.drawn(p)) * inch;
         let (begin, end) = (seen(from), seen(to));
         let trip = match &run.feature {
@@ -187,7 +187,7 @@ impl Reader {
             Some(_) if begin.is_nan() || end.is_nan() => Trip::Unknown,
             Some(feature) => feature.contact(begin, end).map_or(Trip::Never, Trip::At),
         };
-        // What does not move is where it is.
+        // An axis that does not move keeps its position.
         let stays = |axis: usize| to[axis] == from[axis];
         let end = |axis: usize| match trip {
             _ if stays(axis) => to[axis],
@@ -219,7 +219,7 @@ impl Reader {
             self.stopped_by_touch = true;
             self.stops();
         }
-        // LinuxCNC and others take P for something else, or refuse it.
+        // LinuxCNC and others give P another meaning, or refuse it.
         let probes = self.modes.motion.probes() && block.once.is_none();
         if let Some(p) = block.p.filter(|_| probes) {
             if self.frames.kind == ControlKind::FluidNc {
@@ -230,7 +230,7 @@ impl Reader {
         }
     }
 
-    /// Whether the ball runs into the given part in a move that does not probe.
+    /// Whether the ball collides with the given part in a move that does not probe.
     #[cold]
     fn collides(&mut self, from: [f64; 3], rapid: bool) {
         let Some(feature) = self.run.as_ref().and_then(|run| run.feature.clone()) else {
@@ -262,7 +262,7 @@ impl Reader {
         }
     }
 
-    /// Records the system of the next move, if it is another than that of the move before.
+    /// Records the system of the next move, if it differs from that of the previous one.
     #[inline]
     pub(super) fn notes_system(&mut self) {
         if let Some(system) = self.frames.take_change() {
@@ -300,12 +300,12 @@ impl Reader {
         if !counter {
             sweep -= 360.0;
         }
-        // A circle comes back to where it began.
+        // A full circle ends at its start.
         let same = (end[0] - begin[0]).hypot(end[1] - begin[1]) < 1e-9;
         if same || sweep == 0.0 {
             sweep = if counter { 360.0 } else { -360.0 };
         }
-        // P says how many turns, the last of which ends there.
+        // P is the number of turns, the last of which ends there.
         if let Some(turns) = block
             .p
             .filter(|_| !self.sinumerik && block.offset.is_none())
@@ -320,7 +320,7 @@ impl Reader {
             }
         }
         let out = (begin[0] - middle[0]).hypot(begin[1] - middle[1]);
-        // An end that is not on the circle is an alarm of any control, but for rounding.
+        // An end that is not on the circle is an alarm on any control, except for rounding.
         if ((end[0] - middle[0]).hypot(end[1] - middle[1]) - out).abs() > 0.02 + 0.01 * out {
             return None;
         }
@@ -330,11 +330,11 @@ impl Reader {
     }
 }
 
-/// The centre of an arc of this radius; of a negative one the long way round.
+/// Centre of an arc with this radius; a negative radius takes the long way round.
 fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Option<[f64; 2]> {
     let (dx, dy) = (end[0] - begin[0], end[1] - begin[1]);
     let chord = dx.hypot(dy);
-    // A little too short is rounding.
+    // Slightly too short is rounding.
     let square = radius * radius - chord * chord / 4.0;
     if radius.is_nan() || chord < 1e-9 || square < -1e-3 * radius * radius {
         return None;
@@ -347,7 +347,7 @@ fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Opti
     ])
 }
 
-/// The ends of the straight pieces of a move; of an arc, 24 to a turn.
+/// Ends of the straight pieces of a move; 24 to a turn for an arc.
 fn pieces(from: Vec3, to: Vec3, arc: Option<&[f64; 6]>) -> Vec<Vec3> {
     let Some([_, x, y, z, sweep, plane]) = arc else {
         return vec![to];

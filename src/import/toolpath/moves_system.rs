@@ -9,10 +9,10 @@ use crate::import::toolpath::frames::{Axes, Frames, Position, Register};
 use crate::import::toolpath::reader::Reader;
 
 impl Reader {
-    /// Changes where the system is; it is reported if that is not known from here on.
+    /// Changes the system. Reports it if the system is unknown afterwards.
     pub(super) fn with_frames(&mut self, change: impl FnOnce(&mut Frames, &mut Position)) {
         let begun = !self.path.is_empty();
-        // A text that is only read is read on as it is written.
+        // A text that is only read is read on as written.
         self.frames.begun = begun && self.run.is_some();
         let was_known = self.frames.is_known();
         change(&mut self.frames, &mut self.place);
@@ -22,7 +22,7 @@ impl Reader {
         }
     }
 
-    /// The numbers of a block, in the units of the path: NaN is not known.
+    /// Numbers of a block in the units of the path; NaN is unknown.
     pub(super) fn values(&self, block: &Block) -> Position {
         let half = if self.modes.diameter { 0.5 } else { 1.0 };
         [0, 1, 2].map(|axis: usize| {
@@ -34,7 +34,7 @@ impl Reader {
         })
     }
 
-    /// What a block does to the system.
+    /// Effect of a block on the system.
     #[cold]
     #[inline(never)]
     pub(super) fn moves_system(&mut self, block: &Block) {
@@ -69,7 +69,7 @@ impl Reader {
                 });
             }
             Some(Shift::Position | Shift::Value) | None => {}
-            // PlanetCNC sets the active work offset by it.
+            // PlanetCNC sets the active work offset with it.
             Some(Shift::End) if given.0 != 0 && self.frames.kind == ControlKind::PlanetCnc => {
                 self.wrote_any();
                 self.with_frames(|frames, place| frames.forget(given.0, place));
@@ -89,13 +89,13 @@ impl Reader {
         }
     }
 
-    /// `G68 X Y R`: about a centre, or about where the stylus is.
+    /// `G68 X Y R`: about a centre, or about the stylus position.
     fn begins_turn(&mut self, block: &Block, (axes, values): (Axes, Position)) {
         let level = self.modes.plane.unwrap_or_default().axes()[2] == 2;
         let angle = block.radius.unwrap_or(f64::NAN);
         let center = (axes & 3 == 3).then_some(values);
         let partly = center.is_none() && axes & 3 != 0;
-        // RepRapFirmware turns the other way round.
+        // RepRapFirmware rotates in the opposite direction.
         let other = self.frames.kind == ControlKind::RepRap;
         if !level || partly || other || !self.modes.absolute {
             return self.with_frames(Frames::lose);
@@ -108,7 +108,7 @@ impl Reader {
         let kind = self.frames.kind;
         let angle = block.radius;
         let Some(l) = block.l else {
-            // A Fanuc writes a tool by P alone.
+            // A Fanuc writes a tool by P only.
             if block.p.is_some() && (given.0 != 0 || angle.is_some()) {
                 self.wrote_tool(block, 0.0, given);
             }
@@ -156,7 +156,7 @@ impl Reader {
         } else {
             given
         };
-        // Rotations of other controls are not followed.
+        // Rotations on other controls are not modelled.
         let angle = angle.map(|angle| {
             if kind == ControlKind::LinuxCnc || angle == 0.0 {
                 angle
@@ -168,7 +168,7 @@ impl Reader {
         self.with_frames(|frames, place| frames.write_value(number, given, angle, added, place));
     }
 
-    /// A frame that a program of a SINUMERIK sets: `TRANS X5`, `AROT RPL=30`. False for any other block.
+    /// A frame set by a SINUMERIK program: `TRANS X5`, `AROT RPL=30`. False for any other block.
     pub(super) fn program_frame(&mut self, code: &[u8]) -> bool {
         const WORDS: [&str; 10] = [
             "TRANS", "ATRANS", "ROT", "AROT", "ROTS", "AROTS", "SCALE", "ASCALE", "MIRROR",
@@ -245,7 +245,7 @@ impl Reader {
     }
 }
 
-/// What follows the word of a frame.
+/// Arguments after the word of a frame.
 struct Arguments {
     axes: Axes,
     values: Position,
@@ -264,7 +264,7 @@ impl Arguments {
     }
 }
 
-/// `X5 Y=3`, `RPL=30`; `None` if something else is there. A value that is no number is not known.
+/// `X5 Y=3`, `RPL=30`; `None` for anything else. A value that is not a number is unknown.
 fn arguments(rest: &[u8]) -> Option<Arguments> {
     let mut found = Arguments {
         axes: 0,

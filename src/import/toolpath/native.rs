@@ -1,5 +1,4 @@
-//! Calls of native cycles: named by the table of calls, with every argument in words, and refused as what they are where their arguments
-//! contradict each other.
+//! Calls of native cycles: named from the table of calls, with the meaning of every argument and contradictions between them.
 
 use serde::Serialize;
 
@@ -11,29 +10,29 @@ use crate::import::adopt::Called;
 use crate::import::toolpath::Toolpath;
 use crate::num::decimal;
 
-/// So many calls are listed.
+/// Largest number of listed calls.
 const MOST_CALLS: usize = 10_000;
 
 /// A call of a native cycle.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NativeCall {
-    /// Its 0-based line, in its own text.
+    /// The 0-based line in its file.
     pub line: u32,
-    /// That text: 0 is the program, what is above it a file of subprograms, counted from 1.
+    /// Its file: 0 is the program, higher numbers are files of subprograms, counted from 1.
     pub file: u32,
-    /// As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
+    /// Notation in programs: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
     pub name: String,
-    /// What it measures or does; none for a call that is not known here.
+    /// Its measurement or effect; `None` for an unknown call.
     pub title: Option<&'static str>,
-    /// How well that is known: `sourced` or `recalled`.
+    /// How well it is known: `sourced` or `recalled`.
     pub mark: Option<&'static str>,
-    /// Where it was read.
+    /// Source of the facts.
     pub source: Option<&'static str>,
     /// Its arguments in their order.
     pub arguments: Vec<NativeArgument>,
-    /// What contradicts in them: `X and Y exclude each other`.
+    /// Contradictions between arguments: `X and Y exclude each other`.
     pub contradictions: Vec<String>,
-    /// The same as a job, where it is one of the documented cycles and says enough.
+    /// The call as a job, if it is a documented cycle and gives enough.
     #[serde(skip)]
     pub job: Option<Value>,
 }
@@ -41,19 +40,19 @@ pub struct NativeCall {
 /// An argument of a call.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NativeArgument {
-    /// Its letter, its Q number, or its place between the commas.
+    /// Letter, Q number, or position between the commas.
     pub name: String,
-    /// `None` if it is no number or is computed from what is not known.
+    /// `None` if it is not a number or is computed from unknown values.
     pub value: Option<f64>,
-    /// What it means; `None` if that is not known here.
+    /// Meaning; `None` if it is unknown.
     pub meaning: Option<&'static str>,
     /// `length`, `angle`, `feed` or `none`.
     pub unit: Option<&'static str>,
-    /// What the control takes, where that is known: `0 to 1`, `more than 0`.
+    /// Values that the control accepts, if known: `0 to 1`, `more than 0`.
     pub range: Option<String>,
 }
 
-/// Lists a call and returns its kind. `arguments`: names and values. `place`: position of the stylus in the program's units; NaN is not known.
+/// Lists a call and returns its kind. `arguments`: names and values. `place`: position of the stylus in the program's units; NaN is unknown.
 pub(super) fn listed(
     path: &mut Toolpath,
     line: usize,
@@ -99,7 +98,7 @@ pub(super) fn listed(
     path.calls.push(NativeCall {
         line: line as u32,
         file: 0,
-        // A Brother and an Okuma write the same calls otherwise.
+        // A Brother and an Okuma write the same calls differently.
         name: match call {
             Some(call)
                 if !["G65 P88", "CALL O"]
@@ -142,7 +141,7 @@ fn contradictions(call: &Call, arguments: &[NativeArgument]) -> Vec<String> {
         .collect()
 }
 
-/// The letters and values of a block behind its first word: `G65 P9814 D25. Z-5.`
+/// Letters and values of a block after its first word: `G65 P9814 D25. Z-5.`
 pub(super) fn letters(code: &[u8]) -> Vec<(String, f64)> {
     let mut found: Vec<(String, f64)> = Vec::new();
     let mut at = 0;
@@ -182,7 +181,7 @@ pub(super) fn q_parameters(text: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// The arguments of `CYCLE977(1101,,,1,…)` by their places from 1, without empty ones.
+/// Arguments of `CYCLE977(1101,,,1,…)` by their positions from 1, without empty ones.
 pub(super) fn places(code: &[u8]) -> Vec<(String, f64)> {
     let Some(open) = code.iter().position(|b| *b == b'(') else {
         return Vec::new();

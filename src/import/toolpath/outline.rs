@@ -1,4 +1,4 @@
-//! The headings of a program: its subroutines and sections, by the lines that name them.
+//! Headings of a program: lines that name subroutines and sections.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use crate::control::iso::lex::{
 };
 use crate::form::printable;
 
-/// So many headings are listed.
+/// Largest number of listed headings.
 const MOST: usize = 1000;
 
 /// A line that names the lines below it.
@@ -15,11 +15,11 @@ const MOST: usize = 1000;
 pub struct Heading {
     /// Its 0-based line.
     pub line: u32,
-    /// `O9810 (PROTECTED POSITION)`, `PROC EDGE`, `LBL 5`, as it is written.
+    /// `O9810 (PROTECTED POSITION)`, `PROC EDGE`, `LBL 5`, as written.
     pub name: String,
 }
 
-/// The headings of a text, whatever its dialect: programs by O and a number, O words, PROC and archives, labels of a HEIDENHAIN.
+/// Headings of a text in any dialect: programs by O and a number, O words, PROC and archives, labels of a HEIDENHAIN.
 pub fn outline(text: &str) -> Vec<Heading> {
     let names = |line: &str| {
         let line = trimmed(line);

@@ -1,4 +1,4 @@
-//! The moves of native cycles, where they are known, in a run that knows the stylus position: Renishaw's macros, measuring cycles of a SINUMERIK.
+//! Moves of native cycles, if they are known, in a run with a known stylus position: Renishaw's macros, measuring cycles of a SINUMERIK.
 
 use crate::control::native::{self, Unit};
 use crate::control::own::machine::{Alarm, IN_POSITION, Kind, Machine, Made, Met};
@@ -11,11 +11,11 @@ use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
-/// The radius of a ball that nothing says, mm.
+/// Assumed ball radius, mm.
 const RADIUS: f64 = 3.0;
 
 impl Reader {
-    /// Makes the moves of a macro by its number and letters, in the program's units; false where they are not known.
+    /// Makes the moves of a macro by its number and letters, in the program's units; false if they are unknown.
     #[cold]
     pub(super) fn makes_macro(&mut self, number: u32, arguments: &[(String, f64)]) -> bool {
         let number = if (8800..8900).contains(&number) {
@@ -23,7 +23,7 @@ impl Reader {
         } else {
             number
         };
-        // A protected move goes to a place that may be known along some axes alone.
+        // A protected move goes to a position that may be known along some axes only.
         let goes = number == 9810;
         let unknown = arguments.iter().any(|(_, x)| x.is_nan());
         if !macros::KNOWN.contains(&number)
@@ -35,7 +35,7 @@ impl Reader {
         }
         let scale = self.inch() * self.modes.scale;
         let lengths = "CDFHIJKMQRUVXYZ";
-        // Of 9823 and 9819 C is an angle.
+        // C of 9823 and 9819 is an angle.
         let is_length =
             |letter: char| lengths.contains(letter) && !(letter == 'C' && number == 9823);
         let letters = arguments
@@ -54,7 +54,7 @@ impl Reader {
         made
     }
 
-    /// Makes the moves of a measuring cycle of a SINUMERIK by its number and arguments; false where they are not known.
+    /// Makes the moves of a SINUMERIK's measuring cycle by its number and arguments; false if they are unknown.
     #[cold]
     pub(super) fn makes_measuring_cycle(
         &mut self,
@@ -92,7 +92,7 @@ impl Reader {
         !self.place.iter().any(|x| x.is_nan())
     }
 
-    /// Millimetres in a unit that places are kept in.
+    /// Millimetres in a unit of stored positions.
     fn inch(&self) -> f64 {
         if self.path.metric == Some(false) {
             25.4
@@ -101,7 +101,7 @@ impl Reader {
         }
     }
 
-    /// Runs a call on what the run knows, and takes its moves over; false where the call is not known. What is said of its kind is counted.
+    /// Runs a call with the known inputs and takes over its moves; false if the call is unknown. Counts a note for its kind.
     pub(super) fn makes_own(
         &mut self,
         counted: Option<fn(&mut Self) -> &mut Count>,
@@ -129,7 +129,7 @@ impl Reader {
         let Some(end) = run(&mut machine) else {
             return false;
         };
-        // What contradicts in the call is said of it.
+        // Contradictions in the call are reported for it.
         if end == Err(Alarm::Arguments) {
             return false;
         }
@@ -154,7 +154,7 @@ impl Reader {
     fn own_move(&mut self, made: &Made, inch: f64) {
         let kind = match made.kind {
             Kind::Rapid => RAPID,
-            // As fast as the control goes.
+            // At the control's rapid rate.
             Kind::Watched | Kind::Back if made.rate.is_none() && made.arc.is_none() => RAPID,
             Kind::Watched | Kind::Back => FEED,
             Kind::Search | Kind::Measure | Kind::Once => PROBE,
@@ -177,7 +177,7 @@ impl Reader {
         self.makes((kind, made.to, met, made.rate), inch);
     }
 
-    /// What answers the moves of native cycles: places of the ball's centre, mm.
+    /// Answers the moves of native cycles: ball centres, mm.
     fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
         let run = self.run.as_ref();
         let known = run.map(|run| (run.feature.clone(), run.touch, run.positioning));
@@ -187,7 +187,7 @@ impl Reader {
             let part = |trip: Trip| match trip {
                 Trip::At(part) => Some(from + (to - from) * part),
                 Trip::Never => None,
-                // Where the call says the feature is.
+                // At the feature's position in the call.
                 Trip::Unknown => expected,
             };
             let center = match &known {

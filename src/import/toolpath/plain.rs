@@ -1,4 +1,4 @@
-//! Blocks of plain words: `N20 G1 X5 Y-3.2 F800`. Nearly all blocks of long programs are such, and need none of what the others need.
+//! Blocks of plain words: `N20 G1 X5 Y-3.2 F800`. Almost all blocks of long programs are of this form.
 
 use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::lex::head;
@@ -9,8 +9,8 @@ use crate::import::toolpath::words::tenths;
 use crate::num::read_digits;
 
 impl Reader {
-    /// Follows a block that is nothing but a motion along a line, places and a feed, each at most once and with a plain number. False, and nothing taken, where
-    /// it is another one, or where something before makes more of it: then it is read word by word, with the same outcome.
+    /// Reads a block that consists of a linear motion, positions and a feed, each at most once and with a plain number. False, without any effect, for another
+    /// block or if an earlier state gives it further meaning: then it is read word by word, with the same result.
     pub(super) fn plain(&mut self, line: &[u8]) -> bool {
         if !self.takes_plain() {
             return false;
@@ -18,7 +18,7 @@ impl Reader {
         let mut rest = line;
         if matches!(line, [b'N' | b'n', ..]) {
             let head = head(line);
-            // That a block may be skipped is reported.
+            // Block skip is reported.
             if head.skips {
                 return false;
             }
@@ -75,7 +75,7 @@ impl Reader {
         true
     }
 
-    /// Whether a place is just where the axes go, and nothing is kept for the next block or asked of it.
+    /// Whether axis words are just targets, and nothing is pending for the next block.
     #[inline]
     fn takes_plain(&self) -> bool {
         let Modes {

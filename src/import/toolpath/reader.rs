@@ -1,4 +1,4 @@
-//! What stays in force from block to block.
+//! State that stays active from block to block, and the reading of blocks.
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
@@ -19,28 +19,28 @@ use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
-/// What M70 and M73 keep.
+/// Modes saved by M70 and M73.
 #[derive(Clone)]
 pub(super) struct Kept {
     modes: Modes,
     feed: f64,
     length: Position,
     offset: Option<i32>,
-    /// The depth of calls at whose end they come back by themselves: M73.
+    /// Call depth at whose end they are restored automatically: M73.
     depth: Option<usize>,
 }
 
-/// What a run knows of touches.
+/// Probe model of a run.
 pub(super) struct Touching {
     pub touch: Trip,
     pub positioning: Trip,
-    /// What probing moves meet, in the place of both.
+    /// Part that probing moves contact; replaces both triggers.
     pub feature: Option<Feature>,
-    /// What the program does behind the next probing move.
+    /// Behaviour of the program after the next probing move.
     pub behind: Behind,
-    /// Where the last one ended, in the units of the path, and whether it met something.
+    /// End of the last probing move, in the units of the path, and whether it had a contact.
     pub contact: [f64; 3],
-    /// The same in machine coordinates: a work offset that is written later does not change it.
+    /// That position in machine coordinates: a work offset that is written later does not change it.
     pub contact_in_machine: [f64; 3],
     pub met: Option<bool>,
 }
@@ -49,72 +49,72 @@ pub(super) struct Touching {
 #[derive(Default)]
 pub(super) struct Reader {
     pub path: Toolpath,
-    /// The first line and the name of each file that is below the program.
+    /// First line and name of each file after the program.
     pub files: Vec<(u32, String)>,
     pub line: usize,
     pub sinumerik: bool,
-    /// The ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
+    /// HEIDENHAIN's ISO, which begins with `%NAME G71 *`.
     pub heidenhain: bool,
-    /// The position in the active system, in the units of the path.
+    /// Position in the active system, in the units of the path.
     pub place: Position,
-    /// Where that system is.
+    /// Coordinate systems.
     pub frames: Frames,
-    /// What a run knows of touches; `None` if the text is read only.
+    /// Probe model of a run; `None` if the text is only read.
     pub run: Option<Touching>,
-    /// What happens beside the moves, for the rules.
+    /// Events beside the moves, for the rules.
     pub log: Option<Log>,
-    /// The tool that is called next, and the one that was changed to; NaN where it is computed.
+    /// The tool that is called next, and the active one; NaN if it is computed.
     pub next_tool: f64,
     pub tool: Option<f64>,
     pub modes: Modes,
-    /// The plane that was chosen first.
+    /// First chosen plane.
     pub plane: Option<Plane>,
     /// Whether the tool axis is at the machine's zero or at its home position.
     pub is_up: bool,
-    /// How many calls are under way.
+    /// Number of active calls.
     pub depth: usize,
     /// Between `sub` and `endsub`: these lines run at their call.
     pub inside: bool,
-    /// How many conditions are open.
+    /// Number of open conditions.
     pub conditions: usize,
-    /// The conditions of a run that are not known, and whose ways have not met.
+    /// Unknown conditions of a run whose branches have not met.
     pub forks: Vec<Fork>,
-    /// Whether the next move begins elsewhere than where the one before ended.
+    /// Whether the next move begins elsewhere than at the end of the previous one.
     pub resumes: bool,
-    /// How many loops are open.
+    /// Number of open loops.
     pub loops: usize,
-    /// The axes that were last moved by a distance, not to a place.
+    /// Axes that were last moved by a distance instead of to a position.
     pub relative: Axes,
-    /// Whether the block before may jump over this one.
+    /// Whether the previous block may jump over this one.
     pub leaps: bool,
     /// Whether there was any code: a tape sign `%` before it begins the program, one after it ends it.
     pub begun: bool,
     /// After the end of the program.
     pub ended: bool,
-    /// The subprogram that the block calls: if it is followed, its lines come next.
+    /// Subprogram that the block calls. If it is followed, its lines come next.
     pub call: Option<Call>,
-    /// Whether something was called that is not in this text, or not known: it may set any variable.
+    /// Whether something outside this text, or unknown, was called: it may set any variable.
     pub called_out: bool,
-    /// The same of a macro, which has locals of its own: G65.
+    /// Whether a macro with its own locals was called: G65.
     pub called_macro: bool,
-    /// Whether the call that is read is an Okuma's.
+    /// Whether the current call is an Okuma's.
     pub okuma: bool,
-    /// Whether the block goes back to where its subprogram was called from.
+    /// Whether the block returns to the caller of its subprogram.
     pub returned: bool,
-    /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.
+    /// Whether the next line may come from elsewhere: after a call, in a subprogram, at its end.
     pub turns_off: bool,
     pub feed: f64,
     /// Whether the program has stated a feed.
     pub states_feed: bool,
-    /// Whole turns of arcs by P.
+    /// Full turns of arcs by P.
     pub turns: f64,
-    /// What M72 gives back.
+    /// Modes that M72 restores.
     pub kept: Option<Kept>,
     /// Axes on which a tool length offset has been active.
     pub long: Axes,
-    /// Those whose tool length changed after the modes were kept.
+    /// Axes whose tool length changed after the modes were saved.
     pub lengthened: Axes,
-    /// Those that a tool length made unknown: not said yet.
+    /// Axes that a tool length made unknown, not reported yet.
     pub lost: Axes,
     pub skipped: Skipped,
     pub after_end: Count,
@@ -128,28 +128,28 @@ pub(super) struct Reader {
     pub twice: Count,
     pub aborted: Count,
     pub branches: Count,
-    /// Macros of the control's own whose moves are known, and those that stop with an alarm.
+    /// Native macros with known moves, and those that stop with an alarm.
     pub own_moves: Count,
-    /// The same of a HEIDENHAIN's cycles.
+    /// HEIDENHAIN cycles with known moves, and those that stop with an alarm.
     pub own_cycles: Count,
-    /// The same of a SINUMERIK's.
+    /// SINUMERIK cycles with known moves, and those that stop with an alarm.
     pub measuring_cycles: Count,
     pub stopped: Count,
-    /// Touches that meet nothing, where the control stops.
+    /// Touches without contact, at which the control stops.
     pub missed: Count,
     /// Whether a touch has stopped the program.
     pub stopped_by_touch: bool,
-    /// P in probing blocks, which means something on some controls.
+    /// P in probing blocks, which has a meaning on some controls.
     pub probe_words: Count,
-    /// Calls that write where an argument that is not known is given.
+    /// Calls that write if an unknown argument is given.
     pub may_write: Count,
     /// Divisions by zero.
     pub divisions: Count,
-    /// Rapids, and other moves, that run into the given part.
+    /// Rapids, and other moves, that collide with the given part.
     pub collisions: [Count; 2],
-    /// Codes that make no place of their axis words, by name.
+    /// Codes whose axis words are not a position, by name.
     pub foreign: Vec<Named>,
-    /// The line of the first units, if moves come before it.
+    /// Line of the first units, if moves come before it.
     pub late_units: Option<usize>,
 }
 
@@ -174,7 +174,7 @@ impl Reader {
         }
     }
 
-    /// Takes what is known of work offsets, the shift and the tool before the program, by the names of variables.
+    /// Sets work offsets, shift and tool known before the program, by the names of variables.
     pub fn tell(&mut self, set: &[(&str, f64)]) {
         let numbers = set
             .iter()
@@ -206,7 +206,7 @@ impl Reader {
         }
     }
 
-    /// The lines in which something may happen that is not seen.
+    /// Lines with possible events that are not seen.
     pub fn unread(&self) -> Vec<u32> {
         let unknown = self
             .foreign
@@ -225,7 +225,7 @@ impl Reader {
         lines
     }
 
-    /// What the control itself knows now, in the units of the program.
+    /// Values of the control now, in the units of the program.
     pub fn system(&self) -> System {
         let scale = self.modes.scale;
         let to_units = |position: Position| position.map(|x| x / scale);
@@ -239,7 +239,7 @@ impl Reader {
             contact: to_units(contact),
             contact_in_machine: to_units(contact_in_machine),
             machine: to_units(self.frames.in_machine(self.place)),
-            // In inch it depends on the machine what these count in.
+            // In inch the unit of these depends on the machine.
             offsets: self.frames.values().map(|offset| {
                 let offset = to_units(offset);
                 if self.is_inch() {
@@ -267,7 +267,7 @@ impl Reader {
         self.modes.plane.unwrap_or_default().axes()[2]
     }
 
-    /// Position of the stylus in the present units of the program.
+    /// Position of the stylus in the current units of the program.
     pub fn here(&self) -> [f64; 3] {
         self.place.map(|x| x / self.modes.scale)
     }
@@ -280,7 +280,7 @@ impl Reader {
         }
     }
 
-    /// Reads one line, into a block that is used again for every line.
+    /// Reads one line, into a block that is reused for every line.
     pub fn read(&mut self, line: &[u8], block: &mut Block) {
         let Some(&first) = line.first() else { return };
         if self.plain(line) {
@@ -310,7 +310,7 @@ impl Reader {
         let head = head(line);
         let begin = head.end;
         match line.get(begin) {
-            // O words jump, loop and call; alone they number a program.
+            // O words jump, loop and call; single ones number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
             Some(b'%') if self.heidenhain => return self.ended = true,
@@ -334,14 +334,14 @@ impl Reader {
         let before = self.modes;
         block.empty();
         block.begin = begin;
-        // Between a jump and the end that it leaves out may be comments, and variables that get a value.
+        // Between a jump and the end that it skips there may be comments and assignments.
         let leaped = self.leaps;
         self.leaps &= matches!(line.get(begin), Some(b'(' | b'#'));
         self.words(line, block);
         if block.strange {
             return self.pass_strange(line, block, before);
         }
-        // With block skip on, the control leaves it out: an end there ends nothing.
+        // With block skip on, the control omits it: an end there ends nothing.
         let moves_before = self.path.len();
         self.follow(line, block, before, leaped || head.skips);
         if head.skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
@@ -349,7 +349,7 @@ impl Reader {
         }
     }
 
-    /// Takes the words of a block.
+    /// Reads the words of a block.
     #[inline]
     fn words(&mut self, line: &[u8], block: &mut Block) {
         let mut at = block.begin;
@@ -357,7 +357,7 @@ impl Reader {
             at = match line[at] {
                 b' ' | b'\t' => at + 1,
                 b';' => break,
-                // The end of a block on a HEIDENHAIN, and of old.
+                // End of a block on a HEIDENHAIN, and formerly on others.
                 b'*' if !self.sinumerik && line[at + 1..].trim_ascii().is_empty() => break,
                 b'(' if !self.sinumerik => end_of(line, at, b')'),
                 b'@' | b'^' if !self.sinumerik => self.polar(line, at, block),
@@ -370,7 +370,7 @@ impl Reader {
         }
     }
 
-    /// Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known. Its modes count, unless it jumps.
+    /// Skips a line that jumps, calls or computes. Its target is unknown. Its modes count, unless it jumps.
     #[cold]
     fn pass_strange(&mut self, line: &[u8], block: &Block, before: Modes) {
         if block.jumps {
@@ -391,7 +391,7 @@ impl Reader {
         let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || cycle;
         let gone = if lost { 7 } else { block.given };
         self.forget(gone);
-        // It is said of the line already.
+        // Already reported for the line.
         self.lost &= !gone;
         self.leaps |= block.jumps
             && line[block.begin..]
@@ -414,7 +414,7 @@ impl Reader {
             .count(self.why_strange(&line[block.begin..], block), self.line);
     }
 
-    /// Why nothing of a line is followed that has something in it that is no word.
+    /// Reason why a line with unrecognised text is not followed.
     fn why_strange(&self, code: &[u8], block: &Block) -> Skip {
         let letters = code
             .iter()
@@ -453,7 +453,7 @@ impl Reader {
     /// Follows a block of words.
     fn follow(&mut self, line: &[u8], block: &mut Block, before: Modes, leaped: bool) {
         if block.returns {
-            // It continues in another line, or goes back.
+            // It continues on another line, or returns.
             if block.p.is_some() {
                 self.lose(Skip::Jump, self.line);
             } else {
@@ -487,7 +487,7 @@ impl Reader {
         }
     }
 
-    /// What the rules ask for beside moves.
+    /// Records events for the rules.
     #[cold]
     fn logs(&mut self, line: &[u8], block: &Block) {
         let timed = || {
@@ -520,7 +520,7 @@ impl Reader {
         log.ends |= block.ends;
     }
 
-    /// Goes to the place of a block, where it names one.
+    /// Moves to the position of a block, if it gives one.
     #[inline]
     fn place_of(&mut self, block: &mut Block) {
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
@@ -547,7 +547,7 @@ impl Reader {
             let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
             block.computed |= block.given & (1 << a | 1 << o);
         }
-        // Without a place, a centre makes a whole circle back to where it begins.
+        // Without a position, a centre makes a full circle back to its start.
         if block.given | block.centered != 0 {
             self.moves(block);
         } else if block.home {
@@ -556,7 +556,7 @@ impl Reader {
         }
     }
 
-    /// Something that is no word: nothing of its line is a move. Gives where the next word begins, unless the line jumps.
+    /// Text that is not a word: nothing of its line is a move. Returns the start of the next word, unless the line jumps.
     fn unrecognised(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
         if !block.strange {
             (block.strange, block.jumps) = (true, jumps(line));
@@ -570,7 +570,7 @@ impl Reader {
                 self.modes.given = Given::Control
             }
             b',' | b'#' | b'A'..=b'Z' => {}
-            // The number before may go on: F1 00.
+            // The number before it may continue: F1 00.
             _ => block.feed = block.feed.map(|_| f64::NAN),
         }
         if block.jumps {
@@ -580,7 +580,7 @@ impl Reader {
         }
     }
 
-    /// A place by a distance and a direction, `@5 ^30`: the control computes it.
+    /// A position by distance and direction, `@5 ^30`: the control computes it.
     fn polar(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
         let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
         let axes = 1 << a | 1 << o;
@@ -589,7 +589,7 @@ impl Reader {
         number(line, at + 1).map_or_else(|| end_of_value(line, at + 1), |(_, end)| end)
     }
 
-    /// What a block changes whether or not it is followed: the feed, then the modes that are kept, then the length of the tool.
+    /// Effects of a block whether or not it is followed: feed, saved modes, tool length.
     fn settle(&mut self, block: &Block, before: Modes) {
         if let Some(feed) = block.feed.filter(|_| !block.feedless) {
             (self.feed, self.states_feed) = (feed * self.modes.scale, true);
@@ -614,7 +614,7 @@ impl Reader {
             self.frames.change_tool();
         }
         if let Some(length) = block.lengthens {
-            // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.
+            // G43.1 names its axes. Other codes change the length along Z or across the plane, and what G43.1 set.
             let across = 1 << self.modes.plane.unwrap_or_default().axes()[2];
             let axes = if block.elsewhere && block.given != 0 {
                 block.given
@@ -631,14 +631,14 @@ impl Reader {
         }
     }
 
-    /// The tool is longer or shorter: these axes stay where they are, and are somewhere else in the work system. NaN is not known.
+    /// Changes the tool length: these axes stay, and get another position in the work system. NaN is unknown.
     pub fn lengthen(&mut self, axes: Axes, values: Position, added: bool) {
         self.frames.begun = !self.path.is_empty();
         self.lost |= self.frames.set_length(axes, values, added, &mut self.place);
         self.lengthened |= axes;
     }
 
-    /// M72: the modes, the feed, the work offset and the length of the tool that M70 kept, whatever its block says beside it. Not the motion.
+    /// M72: restores the modes, feed, work offset and tool length that M70 saved, whatever else the block contains. The motion is not restored.
     fn give_back(&mut self) {
         let Some(kept) = self.kept.clone() else {
             return;
@@ -661,7 +661,7 @@ impl Reader {
         self.depth += 1;
     }
 
-    /// A call ends: what M73 kept in it comes back.
+    /// A call ends: modes that M73 saved in it are restored.
     #[cold]
     pub fn leaves_call(&mut self) {
         if self
@@ -675,7 +675,7 @@ impl Reader {
         self.depth = self.depth.saturating_sub(1);
     }
 
-    /// `o<name> sub`, `o1 if`, `o100if[…]`, `O1000`: blanks mean nothing.
+    /// `o<name> sub`, `o1 if`, `o100if[…]`, `O1000`: blanks do not matter.
     fn o_word(&mut self, line: &[u8]) {
         let code = line[1..comment_at(line, true).unwrap_or(line.len())].trim_ascii();
         let label = match code.first() {
@@ -737,41 +737,41 @@ impl Reader {
         self.stops();
     }
 
-    /// The program ends here by an alarm: what it would do further on is not known.
+    /// The program ends here with an alarm: its continuation is unknown.
     #[cold]
     pub fn stops(&mut self) {
         self.ended = true;
         self.path.stopped.get_or_insert(self.line as u32);
     }
 
-    /// A branch whose condition is not known ends the program.
+    /// A branch with an unknown condition ends the program.
     #[cold]
     pub fn branch_ends(&mut self) {
         count(&mut self.branches, self.line);
     }
 
-    /// A condition that asks for something else than a contact.
+    /// A condition that does not check a contact.
     pub fn asks(&mut self) {
         if let Some(log) = &mut self.log {
             log.conditions.push((self.path.len(), self.line));
         }
     }
 
-    /// The program may return from a subprogram to a line, or go on below. Both ways meet at that line.
+    /// The program may return from a subprogram to a line, or continue below. Both branches meet at that line.
     #[cold]
     pub fn may_leave(&mut self, to: usize) {
         self.parts(Some(to));
         self.skipped.count(Skip::Condition, self.line);
     }
 
-    /// A condition or a loop that is not known begins, goes on or ends.
+    /// An unknown condition or loop begins, continues or ends.
     #[cold]
     pub fn goes_unknown_way(&mut self, way: Way) {
         self.follows_way(way);
         self.skipped.count(Skip::Condition, self.line);
     }
 
-    /// What a loop moves by a distance is somewhere else after its next round.
+    /// Positions that a loop moves by a distance differ after its next round.
     fn follows_way(&mut self, way: Way) {
         match way {
             Way::Begins => {
@@ -801,7 +801,7 @@ impl Reader {
         }
     }
 
-    /// These axes are somewhere else.
+    /// The positions of these axes are unknown.
     pub fn forget(&mut self, axes: Axes) {
         self.is_up &= axes & 1 << self.tool_axis() == 0;
         for (axis, place) in self.place.iter_mut().enumerate() {
@@ -812,7 +812,7 @@ impl Reader {
     }
 }
 
-/// `G65 "PROBEX" A54. B1.`: a macro that an LNC calls by its name.
+/// `G65 "PROBEX" A54. B1.`: a macro that an LNC calls by name.
 fn lnc_macro(code: &[u8]) -> Option<String> {
     let name = code
         .strip_prefix(b"G65")
@@ -824,7 +824,7 @@ fn lnc_macro(code: &[u8]) -> Option<String> {
     Some(String::from_utf8_lossy(&code[..length]).into_owned())
 }
 
-/// How long the name is that a call of a SINUMERIK begins with.
+/// Length of the name at the start of a SINUMERIK's call.
 fn name_length(code: &[u8]) -> usize {
     code.iter()
         .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
@@ -836,7 +836,7 @@ fn jumps(line: &[u8]) -> bool {
         .any(|word| word.eq_ignore_ascii_case(b"GOTO"))
 }
 
-/// A call of one of Renishaw's macros on an Okuma as the others write it: `CALL O9814 PD=25.` is `G65 P9814 D25.`.
+/// An Okuma's call of one of Renishaw's macros in the notation of the others: `CALL O9814 PD=25.` is `G65 P9814 D25.`.
 fn as_g65(code: &[u8]) -> Option<Vec<u8>> {
     let mut words = code[..comment_at(code, true).unwrap_or(code.len())]
         .split(|b| b.is_ascii_whitespace())
@@ -858,7 +858,7 @@ fn as_g65(code: &[u8]) -> Option<Vec<u8>> {
     Some(call)
 }
 
-/// Whether a block gives one of an Okuma's common variables the value of another: nothing moves.
+/// Whether a block copies one of an Okuma's common variables to another: nothing moves.
 fn gives_variable(code: &[u8]) -> bool {
     let is_variable = |name: &[u8]| matches!(name, [b'V' | b'v', b'C' | b'c' | b'S' | b's', number @ ..] if !number.is_empty() && number.iter().all(u8::is_ascii_digit));
     let mut sides = code.split(|b| *b == b'=').map(<[u8]>::trim_ascii);
@@ -866,14 +866,14 @@ fn gives_variable(code: &[u8]) -> bool {
     left.is_some_and(is_variable) && right.is_some_and(is_variable) && sides.next().is_none()
 }
 
-/// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.
+/// Whether a line is a SINUMERIK cycle with an unknown end position: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.
 fn runs_cycle(line: &[u8]) -> bool {
     let code = line[head(line).end..].to_ascii_uppercase();
     let names: [&[u8]; 5] = [b"CYCLE", b"POCKET", b"HOLES", b"SLOT", b"LONGHOLE"];
     names.iter().any(|name| code.starts_with(name)) && !code.starts_with(b"CYCLE832")
 }
 
-/// Whether a word of a SINUMERIK begins splines, polynomials, involutes, or arcs that are not by centre or radius.
+/// Whether a word of a SINUMERIK begins splines, polynomials, involutes, or arcs without centre or radius.
 fn begins_curve(code: &[u8]) -> bool {
     const WORDS: [&[u8]; 8] = [
         b"ASPLINE", b"BSPLINE", b"CSPLINE", b"POLY", b"INVCW", b"INVCCW", b"CIP", b"CT",

@@ -1,5 +1,5 @@
-//! Safety rules asked of a program that someone else wrote, by what its run shows. They are those of the programs that are made here, as far as a run
-//! without the control can answer: null is "not known", with the reason.
+//! Safety rules for foreign programs, by their runs. They are the rules for our own programs, as far as a run without the control can answer: null is
+//! "unknown", with the reason.
 
 use serde::Serialize;
 
@@ -10,53 +10,53 @@ use crate::import::toolpath::{DIALECTS, PROBE, RAPID, Toolpath};
 use crate::part::Machine as Inertia;
 use crate::text::{Text, text};
 
-/// What happened in a run beside its moves, each with how many moves were made before.
+/// Events of a run beside its moves, each with the number of moves before it.
 #[derive(Debug, Default)]
 pub(super) struct Log {
-    /// Probing moves: the index of the move, and what is known of it.
+    /// Probing moves.
     pub touches: Vec<Touch>,
     /// The spindle is started (true) or stopped.
     pub spindle: Vec<(usize, usize, bool)>,
-    /// Lines in which a condition that is not known starts it.
+    /// Lines in which an unknown condition starts it.
     pub may_spin: Vec<(usize, usize)>,
-    /// What is written that lasts.
+    /// Lasting writes.
     pub writes: Vec<Write>,
-    /// Lines in which something may happen that is not seen.
+    /// Lines with possible events that are not seen.
     pub unread: Vec<u32>,
-    /// The line in which an alarm ends the run.
+    /// Line of the alarm that ends the run.
     pub stopped: Option<u32>,
-    /// The text is a subprogram: what it needs its caller may state.
+    /// The text is a subprogram: its caller may state what it needs.
     pub returns: bool,
-    /// Conditions that ask for something else than a contact.
+    /// Conditions that do not check a contact.
     pub conditions: Vec<(usize, usize)>,
-    /// Waits that do not say how long.
+    /// Dwells without a time.
     pub endless_waits: Vec<usize>,
-    /// Moves that macros of the control's own make: from, up to.
+    /// Moves that native macros make: from, up to.
     pub own: Vec<(usize, usize)>,
-    /// Whether units, plane, absolute or incremental places and the kind of feed were stated before the first motion, and its line.
+    /// Whether units, plane, absolute or incremental positions and the kind of feed were stated before the first motion, and its line.
     pub stated: Option<(usize, [bool; 3])>,
-    /// Whether places are distances at the end.
+    /// Whether positions are distances at the end.
     pub left_incremental: bool,
-    /// What was called since may have changed that.
+    /// A call since then may have changed that.
     pub maybe_changed: bool,
-    /// They are distances at the end of some ways, and positions at the end of others.
+    /// They are distances at the end of some branches, and positions at the end of others.
     pub left_unsure: bool,
-    /// Whether the program came to an end of its own.
+    /// Whether the program reached its own end.
     pub ends: bool,
-    /// The clearance heights of cycles of a HEIDENHAIN: nothing is in the way there.
+    /// Clearance heights of HEIDENHAIN cycles: nothing is in the way there.
     pub clearances: Vec<(usize, f64)>,
-    /// Moves with the tool axis at the machine's zero or home position, which is taken to be above every part.
+    /// Moves with the tool axis at the machine's zero or home position, which is assumed above every part \[I\].
     pub up: Vec<usize>,
 }
 
 impl Log {
-    /// Whether a macro of the control's own makes a move, and answers for it.
+    /// Whether a native macro makes a move and is responsible for it.
     fn is_own(&self, index: usize) -> bool {
         let at = self.own.partition_point(|(_, end)| *end <= index);
         self.own.get(at).is_some_and(|(begin, _)| *begin <= index)
     }
 
-    /// Whether the next move goes on along the same axes, and the program asks whether that met something: it begins where this one ends.
+    /// Whether the next move continues along the same axes, and the program checks that one for a contact: it begins where this one ends.
     fn is_chained(&self, touch: &Touch) -> bool {
         let at = self
             .touches
@@ -88,41 +88,41 @@ impl Log {
 pub(super) struct Touch {
     pub index: usize,
     pub line: usize,
-    /// The axes that its block names.
+    /// Axes that its block names.
     pub axes: Axes,
-    /// A miss is an alarm of the control.
+    /// Whether a miss is an alarm of the control.
     pub stops: bool,
-    /// The program asks behind it whether it met something.
+    /// Whether the program checks afterwards for a contact.
     pub asked: bool,
-    /// A contact leads away: it is a positioning move that is watched.
+    /// Whether a contact leads away: watched positioning.
     pub watched: bool,
-    /// It is a positioning move: a contact leads away, or the program takes no notice of where it ended.
+    /// Whether it is a positioning move: a contact leads away, or the program ignores its end.
     pub positions: bool,
-    /// Whether the program asks is not known.
+    /// Whether it is unknown if the program checks.
     pub may_ask: bool,
-    /// Its feed, in the units of the path; NaN is not known.
+    /// Feed in the units of the path; NaN is unknown.
     pub feed: f64,
-    /// The program has stated a feed before or in its block.
+    /// Whether the program has stated a feed before or in its block.
     pub states_feed: bool,
 }
 
-/// What a rule says of a run.
+/// Verdict of a rule on a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RunRule {
     /// The name of the rule.
     pub rule: &'static str,
-    /// Null where an unknown decides.
+    /// Whether the rule holds; null if an unknown decides.
     pub holds: Option<bool>,
-    /// What was found, and what to write instead.
+    /// Finding, and the remedy.
     pub message: String,
-    /// The same as a template and its values.
+    /// `message` as a template and its values.
     pub said: Text,
-    /// The 0-based lines that break it, or that are not known.
+    /// The 0-based lines that break it, or are unknown.
     pub lines: Vec<u32>,
 }
 
 impl Log {
-    /// Touches after whose contact the axes run on for more than a millimetre: their lines, and how far the fastest runs, in mm, by its feed in mm/min.
+    /// Touches after whose contact the axes travel more than a millimetre: their lines, and the distance of the fastest, in mm, with its feed in mm/min.
     pub fn fast_touches(&self, machine: &Inertia, inch: f64) -> Option<(Vec<u32>, f64, f64)> {
         const FAR: f64 = 1.0;
         let ways: Vec<(u32, f64)> = self
@@ -140,7 +140,7 @@ impl Log {
     }
 }
 
-/// The names of the rules that are asked of any program, in their order.
+/// Names of the rules for any program, in order.
 pub const RUN_RULES: [&str; 11] = [
     "modes-stated",
     "spindle-off",
@@ -158,7 +158,7 @@ pub const RUN_RULES: [&str; 11] = [
 /// Checks every rule on a run that probes; a run without a touch is not checked.
 pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
     log.writes.sort_by_key(|write| (write.moves, write.line));
-    // A program that takes no notice of any has touches all the same.
+    // A program that ignores all contacts has touches nevertheless.
     let all = log.touches.iter().all(|touch| touch.positions);
     let touches: Vec<&Touch> = log
         .touches
@@ -169,7 +169,7 @@ pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
         return Vec::new();
     };
     let (first, last) = (first.index, last.index);
-    // A probing move that nothing asks about may be a touch.
+    // An unchecked probing move may be a touch.
     let last_probing = log
         .touches
         .iter()
@@ -318,7 +318,7 @@ fn spindle(log: &Log, last: usize) -> RunRule {
     }
 }
 
-/// A move is a way back from a touch, or goes straight up; `None` if that is not known.
+/// Whether a move is a retract or goes straight up; `None` if that is unknown.
 fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     let to = path.end(index);
     let from = path.begin(index);
@@ -341,13 +341,13 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     (!touch.is_nan()).then(back)
 }
 
-/// How far a move goes up along the tool axis.
+/// Rise of a move along the tool axis.
 fn rise(path: &Toolpath, index: usize) -> f64 {
     let way = path.end(index) - path.begin(index);
     way[path.plane.axes()[2]]
 }
 
-/// Whether the move is the first of two touches in one direction with a retract between them; `None` if that is not known.
+/// Whether the move is the first of two touches in one direction with a retract between them; `None` if that is unknown.
 fn is_first_of_two(path: &Toolpath, index: usize) -> Option<bool> {
     if index + 2 >= path.len() || [1, 2].map(|i| path.kind[index + i] == PROBE) != [false, true] {
         return Some(false);
@@ -431,14 +431,14 @@ fn may_be_asked() -> Text {
 
 fn missed(path: &Toolpath, log: &Log, touches: &[&Touch], last: usize) -> RunRule {
     const RULE: &str = "missed-touch-stops";
-    // A move that goes nowhere reads the position.
+    // A move without travel reads the position.
     let is_still =
         |touch: &Touch| (path.end(touch.index) - path.begin(touch.index)).length() < 1e-3;
-    // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
+    // The fault of an unchecked positioning move is that a contact goes unnoticed.
     let is_touch = |touch: &&&Touch| {
         (!touch.positions || !path.by_g38 && touch.index >= last) && !is_still(touch)
     };
-    // If the touches are in a subprogram that is not in the text, this may be a positioning move.
+    // If the touches are in a subprogram outside the text, this may be a positioning move.
     let may_ask = |touch: &&&Touch| {
         touch.may_ask || is_touch(touch) && touch.positions && !log.unread.is_empty()
     };
@@ -499,7 +499,7 @@ fn feeds(touches: &[&Touch]) -> RunRule {
 
 fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     let tool = path.plane.axes()[2];
-    // What is as high as the way to the first touch is above the part.
+    // Anything as high as the approach to the first touch is above the part.
     let height = (0..=first)
         .map(|index| path.drawn(index, path.begin(index))[tool])
         .chain([path.drawn(first, path.end(first))[tool]])
@@ -548,7 +548,7 @@ fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     }
 }
 
-/// The lines of writes, each once for all its axes, and as often as it runs.
+/// Lines of writes, each once for all its axes, and as often as it runs.
 fn lines(writes: &[&Write]) -> Vec<usize> {
     let mut lines = Vec::new();
     let mut first: Option<&Write> = None;
@@ -565,7 +565,7 @@ fn lines(writes: &[&Write]) -> Vec<usize> {
     lines
 }
 
-/// What is written, in the control's words: `G54 X Y, tool 7 Z`.
+/// The written registers in the control's notation: `G54 X Y, tool 7 Z`.
 fn what(writes: &[&Write]) -> String {
     const MOST: usize = 4;
     let mut names: Vec<(&str, Vec<&str>)> = Vec::new();
@@ -586,7 +586,7 @@ fn what(writes: &[&Write]) -> String {
     named.collect::<Vec<_>>().join(", ") + more
 }
 
-/// The verdict of a rule on writes that no known write breaks: it holds only if every line was understood and the run came to its end.
+/// Verdict of a rule on writes if no known write breaks it: it holds only if every line was understood and the run reached its end.
 fn if_all_is_seen(rule: &'static str, log: &Log, holds: Text) -> RunRule {
     if let Some(line) = log.stopped {
         let message = text!(
@@ -610,7 +610,7 @@ fn if_all_is_seen(rule: &'static str, log: &Log, holds: Text) -> RunRule {
 }
 
 fn writes(log: &Log, first: usize, last: usize) -> RunRule {
-    // A tool length that is stated before anything was touched is no result.
+    // A tool length stated before any touch is not a result.
     let early: Vec<&Write> = log
         .writes
         .iter()
@@ -658,7 +658,7 @@ fn one_write(log: &Log) -> RunRule {
     }
 }
 
-/// Whether a condition guards each write of a result. What it compares is not known to a run.
+/// Whether a condition guards each write of a result. A run does not know what it compares.
 fn plausible(log: &Log, first: usize, last: usize) -> RunRule {
     let mut measured = log
         .writes

@@ -1,18 +1,18 @@
-//! Lines that a run does not follow, each with the reason.
+//! Lines that a run does not follow, with their reasons.
 
 use crate::import::toolpath::count::{Count, count};
 use crate::text::{Text, text};
 
-/// Why a line is not followed.
+/// Reason why a line is not followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Skip {
-    /// Its condition is not known: both ways are read, or neither.
+    /// Its condition is unknown: both branches are read, or neither.
     Condition,
-    /// It gives a variable a value that is not known.
+    /// It sets a variable to an unknown value.
     Value,
-    /// What it calls is not in the text.
+    /// It calls something outside the text.
     Call,
-    /// It jumps, and where to is not known.
+    /// It jumps to an unknown target.
     Jump,
     /// It runs a canned cycle.
     Canned,
@@ -22,7 +22,7 @@ pub(super) enum Skip {
     Endless,
 }
 
-/// All reasons, in the order in which they are reported.
+/// All reasons, in the order of the report.
 const ALL: [Skip; 7] = [
     Skip::Condition,
     Skip::Value,
@@ -33,7 +33,7 @@ const ALL: [Skip; 7] = [
     Skip::Endless,
 ];
 
-/// The lines that were not followed, by their reasons.
+/// Lines that were not followed, by reason.
 #[derive(Default)]
 pub(super) struct Skipped([Count; 7]);
 
@@ -60,7 +60,7 @@ impl Skipped {
         count(&mut self.0[why as usize], line);
     }
 
-    /// The lines in which something may happen that is not seen: what they write is not known.
+    /// Lines with possible events that are not seen: their writes are unknown.
     pub fn unread(&self) -> impl Iterator<Item = u32> {
         [Skip::Call, Skip::Jump, Skip::Words, Skip::Endless]
             .into_iter()

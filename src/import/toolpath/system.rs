@@ -1,32 +1,32 @@
-//! System variables of a control: those whose values a run knows.
+//! System variables of a control with values that a run knows.
 //!
-//! LinuxCNC: #5061 to #5063 and #5070 of the last probing move, #5420 to #5422 and `#<_x>` the present position, all in work coordinates and in the
-//! program's units, and the modes as `#<_metric>` and its kin (its documentation, *Parameters*). Fanuc and its kin: #5061 to #5063 the skip position,
-//! #5001 to #5003 and #5041 to #5043 the present one, #4003 and #4006 the modes; that their positions are those of the work system without a tool length
-//! is recalled and not verified on a control.
+//! LinuxCNC: #5061 to #5063 and #5070 of the last probing move, #5420 to #5422 and `#<_x>` the current position, all in work coordinates and in the program's
+//! units, and the modes as `#<_metric>` and related names (its documentation, *Parameters*). Fanuc and compatible controls: #5061 to #5063 the skip position,
+//! #5001 to #5003 and #5041 to #5043 the current one, #4003 and #4006 the modes; that their positions are those of the work system without a tool length is
+//! recalled and not verified on a control \[R\].
 
 use crate::geom::Plane;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::grammar::Language;
 
-/// What the control knows before a block. Places are in the units that the program has now; NaN is not known.
+/// Values of the control before a block. Positions are in the current units of the program; NaN is unknown.
 #[derive(Clone, Copy, Debug)]
 pub struct System {
     pub place: [f64; 3],
-    /// The same in machine coordinates.
+    /// The position in machine coordinates.
     pub machine: [f64; 3],
-    /// The zeros of the first work offsets in machine coordinates, the shift of G92, the tool's length by the tool table.
+    /// Zeros of the first work offsets in machine coordinates, the shift of G92, and the tool length from the tool table.
     pub offsets: [[f64; 3]; 9],
     pub shift: [f64; 3],
     pub table: [f64; 3],
-    /// Where the last probing move ended, and whether it met something.
+    /// End of the last probing move, and whether it had a contact.
     pub contact: [f64; 3],
-    /// Where it ended in machine coordinates.
+    /// That end in machine coordinates.
     pub contact_in_machine: [f64; 3],
     pub met: Option<bool>,
-    /// Whether it is known what touches meet, and none was made yet: the probe is not deflected.
+    /// Whether triggers of touches are known and there was none yet: the probe is not deflected.
     pub rests: bool,
-    /// Each `None` if the program has not stated it.
+    /// Each is `None` if the program has not stated it.
     pub metric: Option<bool>,
     pub absolute: Option<bool>,
     pub plane: Option<Plane>,
@@ -59,8 +59,8 @@ impl Default for System {
 }
 
 impl System {
-    /// What a SINUMERIK's variable holds: `$AA_IW` the present position in the work system, `$AA_MW` that of the last contact, `$AC_MEA[1]` whether there was
-    /// one, `$A_PROBE[1]` whether the probe is deflected: it is where the last contact was, until it leaves.
+    /// Value of a SINUMERIK variable: `$AA_IW` the current position in the work system, `$AA_MW` that of the last contact, `$AC_MEA[1]` whether there was one,
+    /// `$A_PROBE[1]` whether the probe is deflected: it stays at the last contact until it moves away.
     fn of_sinumerik(&self, name: &str) -> Option<Option<f64>> {
         let truth = |is: Option<bool>| is.map(|is| f64::from(u8::from(is)));
         let axis = |position: [f64; 3]| {
@@ -80,8 +80,8 @@ impl System {
         }
     }
 
-    /// What an LNC's register holds: `R_SKIP[0,1]` whether there was a contact, `R_SKIP[0,201]` and following where in machine coordinates,
-    /// `R_MACH_COOR[0,1]` the present position there; in mm. Work coordinates of a contact are told in two ways, and not known here.
+    /// Value of an LNC register: `R_SKIP[0,1]` whether there was a contact, `R_SKIP[0,201]` and following its position in machine coordinates,
+    /// `R_MACH_COOR[0,1]` the current machine position; in mm. Sources contradict each other about work coordinates of a contact, so they are unknown.
     fn of_lnc(&self, name: &str) -> Option<Option<f64>> {
         let known = |x: f64| (!x.is_nan() && self.metric != Some(false)).then_some(x);
         let axis = |first: i32| {
@@ -102,8 +102,8 @@ impl System {
         None
     }
 
-    /// What an Eding CNC sets: #5061 the contact and #5001 the present position in work coordinates, #5051 and #5071 the same in machine coordinates, #5067
-    /// whether there was a contact. #5380 and #5397 are 0: the program is not simulated.
+    /// Value of an Eding CNC variable: #5061 the contact and #5001 the current position in work coordinates, #5051 and #5071 the same in machine coordinates,
+    /// #5067 whether there was a contact. #5380 and #5397 are 0: the program is not simulated.
     fn of_eding(&self, number: i32) -> Option<Option<f64>> {
         let known = |x: f64| (!x.is_nan()).then_some(x);
         let axis = (number % 10 - 1) as usize;
@@ -119,7 +119,7 @@ impl System {
         })
     }
 
-    /// What RepRapFirmware's object model holds: positions in mm, and `result`, 0 where the last probing move made contact.
+    /// Value in RepRapFirmware's object model: positions in mm, and `result`, 0 after a contact in the last probing move.
     fn of_reprap(&self, name: &str) -> Option<Option<f64>> {
         let known = |x: f64| (!x.is_nan() && self.metric != Some(false)).then_some(x);
         if name == "result" {
@@ -134,7 +134,7 @@ impl System {
         }
     }
 
-    /// Whether a variable holds what is set up before the program: the tool in the spindle, the work offset.
+    /// Whether a variable holds a setting from before the program: the tool in the spindle, the work offset.
     pub fn is_set_up(key: &Key) -> bool {
         match key {
             Key::Number(number) => matches!(number, 5211..=5213 | 5220..=5403),
@@ -143,7 +143,7 @@ impl System {
         }
     }
 
-    /// What a variable of the control holds: none for one that is not followed here, and none within where the run does not know it.
+    /// Value of a system variable: `None` for one that is not modelled, and an inner `None` if the run does not know it.
     pub fn get(&self, key: &Key, language: Language) -> Option<Option<f64>> {
         let linuxcnc = match (language, key) {
             (Language::Sinumerik, Key::Name(name)) => return self.of_sinumerik(name),
@@ -187,7 +187,7 @@ impl System {
                 "_x" => known(self.place[0]),
                 "_y" => known(self.place[1]),
                 "_z" => known(self.place[2]),
-                // A run is one on the machine.
+                // A run simulates the machine.
                 "_task" => Some(1.0),
                 "_metric" => truth(self.metric),
                 "_imperial" => truth(self.metric.map(|metric| !metric)),

@@ -1,15 +1,15 @@
-//! Whether a probing move is a touch or a positioning move that is watched: what the program does after it says so.
+//! Whether a probing move is a touch or watched positioning: the program shows it afterwards.
 //!
-//! A touch without a contact, or a positioning move with one, leads away. So it is a positioning move where the first condition behind it, before the
-//! next motion, asks for a contact and then leaves: by a jump, a call, an alarm or an end. This reading is ours: a program may do otherwise.
+//! A touch without a contact, or a positioning move with one, leads away. So it is a positioning move if the first condition after it, before the next motion,
+//! checks for a contact and then leaves: by a jump, a call, an alarm or an end. This reading is ours \[I\]: a program may do otherwise.
 //!
-//! Without variables a positioning move is a `G38.3` behind which the next motion is a `G38.2` or `G38.3`, or the program ends: a probing move that begins
-//! in contact is an alarm.
+//! Without variables a positioning move is a `G38.3` after which the next motion is a `G38.2` or `G38.3`, or the program ends: a probing move that begins in
+//! contact is an alarm.
 
 use crate::control::iso::lex::{code, head, lines_of, next_line, trimmed};
 use crate::geom::AXIS_NAMES;
 
-/// Whether a block has a code of a probing move in it.
+/// Whether a block contains the code of a probing move.
 pub(super) fn probes(line: &[u8]) -> bool {
     let measures = |at: usize| {
         line[at..].get(..5).is_some_and(|word| {
@@ -21,27 +21,27 @@ pub(super) fn probes(line: &[u8]) -> bool {
         || memchr::memchr2_iter(b'M', b'm', line).any(measures)
 }
 
-/// What a program does behind a probing move.
+/// Behaviour of a program after a probing move.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Behind {
-    /// It asks whether there was a contact.
+    /// It checks for a contact.
     pub asked: bool,
-    /// And leaves where there was one: it is a positioning move.
+    /// It leaves after a contact: watched positioning.
     pub watched: bool,
-    /// It reads where the move ended.
+    /// It reads the end of the move.
     pub reads: bool,
-    /// The next motion is an alarm where there was a contact.
+    /// The next motion is an alarm after a contact.
     pub chained: bool,
-    /// A subprogram is called first, or a condition about what was measured leads nobody knows where: it may ask.
+    /// It may check: a subprogram is called first, or a condition about the measurement leads to an unknown target.
     pub may_ask: bool,
 }
 
-/// What follows a probing move, by the lines below its block.
+/// Behaviour after a probing move, from the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     let lines = next_lines(below);
     let turn = lines.iter().position(|line| moves(line) || calls(line));
     let before = &lines[..turn.unwrap_or(lines.len())];
-    // Behind a move that may miss, the present position is that of a positioning move.
+    // After a move that may miss, the current position is that of a positioning move.
     let may_miss = is_free_to_miss(line);
     let axis = single_axis(line);
     let reads = before.iter().any(|line| reads_place(line, may_miss, axis));
@@ -50,7 +50,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         .position(|line| asks(line))
         .or_else(|| asks_by_name(before))
     else {
-        // A touch that is asked about after its retract.
+        // A touch that is checked after its retract.
         let later = until_next_probe(&lines);
         let asked = later.iter().rposition(|line| asks(line));
         // Two touches may be compared with each other.
@@ -79,7 +79,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         };
     };
     let condition = &before[at];
-    // A miss of G38.2 and G38.4 is an alarm: they do not position.
+    // A miss of G38.2 and G38.4 is an alarm: they are not positioning.
     let must = |at: usize| matches!(line[at + 1..], [b'3', b'8', b'.', b'2' | b'4', ..]);
     let touches = memchr::memchr2_iter(b'G', b'g', line).any(must) || !asks_for_contact(condition);
     let leaves_then = match condition.find("GOTO").or_else(|| condition.find("THEN")) {
@@ -94,7 +94,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     }
 }
 
-/// The codes of the lines that run next: a jump without a condition goes on at its block further down.
+/// Codes of the lines that run next: an unconditional jump continues at its block below.
 fn next_lines(below: &str) -> Vec<String> {
     const MOST_LINES: usize = 16;
     const MOST_RAW: usize = 200;
@@ -170,8 +170,8 @@ fn begins_free(next: Option<&String>, before: &[String]) -> bool {
     }
 }
 
-/// The last condition that reads a variable which was given the place of the contact: `#148=#5063-30.`, then `IF[ABS[#148]GT0.05]`. A condition in front
-/// of it leads on where the stylus is where it should be.
+/// The last condition that reads a variable with the position of the contact: `#148=#5063-30.`, then `IF[ABS[#148]GT0.05]`. An earlier condition continues if
+/// the stylus is at its expected position.
 fn asks_by_name(lines: &[String]) -> Option<usize> {
     asks_for(lines, &kept_in(lines, lines.len()))
 }
@@ -183,7 +183,7 @@ fn asks_for(lines: &[String], names: &[&str]) -> Option<usize> {
         .rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
 }
 
-/// The variables that are given the place of a contact in the first lines, and those that are computed of them: `#4=#5061-#24`, `#7=SQRT[#4*#4]`.
+/// Variables that receive the position of a contact in the first lines, and those computed from them: `#4=#5061-#24`, `#7=SQRT[#4*#4]`.
 fn kept_in(lines: &[String], first: usize) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for (at, line) in lines.iter().enumerate() {
@@ -255,15 +255,15 @@ fn calls(line: &str) -> bool {
     is_call && !leaves(line) && !is_cycle(line)
 }
 
-/// The axis that a block names, if it names one alone.
+/// The axis that a block names, if it names only one.
 fn single_axis(line: &[u8]) -> Option<usize> {
     let code = code_of(&String::from_utf8_lossy(line));
     let mut named = (0..3).filter(|axis| code.contains(AXIS_NAMES[*axis]));
     named.next().filter(|_| named.next().is_none())
 }
 
-/// Whether it reads where the contact was, or sets that place; where the axes are, unless only the contact counts. Where an axis is says where a touch ended
-/// that moved this axis alone: after other moves it is where the program goes on from.
+/// Whether a line reads or sets the position of the contact, or reads that of the axes, unless `only_contact`. The position of an axis gives the end of a touch
+/// that moved only this axis; after other moves it is where the program continues.
 fn reads_place(line: &str, only_contact: bool, axis: Option<usize>) -> bool {
     const CONTACT: [&str; 2] = ["$AA_", "G10L20"];
     const PRESENT: [&str; 4] = ["#542", "#<_X", "#<_Y", "#<_Z"];
@@ -280,8 +280,7 @@ fn reads_axis(line: &str) -> bool {
     axes_read(line).next().is_some()
 }
 
-/// The positions that a line reads, as the group and the axis: where the last probing move triggered (#5061 to #5069), where the axis is (#5041, on a Fanuc
-/// #5001).
+/// Positions that a line reads, as group and axis: the trigger of the last probing move (#5061 to #5069), the position of the axis (#5041, on a Fanuc #5001).
 fn axes_read(line: &str) -> impl Iterator<Item = (u8, usize)> {
     line.match_indices("#50")
         .filter_map(|(at, _)| match line.as_bytes()[at + 3..] {
@@ -298,13 +297,13 @@ fn axes_read(line: &str) -> impl Iterator<Item = (u8, usize)> {
 
 /// Whether it is a condition about the last probing move.
 fn asks(line: &str) -> bool {
-    // A Haas asks in the probing block itself. An LNC asks R_SKIP, an Eding #5067.
+    // A Haas checks in the probing block itself. An LNC checks R_SKIP, an Eding #5067.
     const TRIGGERED: [&str; 2] = ["#5070", "R_SKIP"];
     let is_about_it = reads_axis(line) || TRIGGERED.iter().any(|name| line.contains(name));
     line.contains("IF[") && is_about_it || line.starts_with("IF") && line.contains("$AC_MEA[1]")
 }
 
-/// Whether a line is a condition that asks for something else.
+/// Whether a line is a condition that checks something else.
 pub(super) fn judges(line: &[u8]) -> bool {
     let begins = memchr::memchr2_iter(b'F', b'f', line)
         .any(|at| at > 0 && line[at - 1].eq_ignore_ascii_case(&b'I'));
@@ -314,7 +313,7 @@ pub(super) fn judges(line: &[u8]) -> bool {
     }
 }
 
-/// Whether the condition holds after a contact: by #5070 and `$AC_MEA[1]`, on a Fanuc by a place that is not the target.
+/// Whether the condition holds after a contact: by #5070 and `$AC_MEA[1]`, on a Fanuc by a position that is not the target.
 fn asks_for_contact(condition: &str) -> bool {
     match condition
         .split_once("#5070")
@@ -331,7 +330,7 @@ fn asks_for_contact(condition: &str) -> bool {
     }
 }
 
-/// Whether a block leaves the run: an end, an alarm, a return, or a call of what is named so.
+/// Whether a block leaves the run: an end, an alarm, a return, or a call with such a name.
 fn leaves(line: &str) -> bool {
     const ENDS: [&str; 4] = ["M2", "M02", "M30", "#3000="];
     const EXITS: [&str; 6] = ["EXIT", "ABORT", "ALARM", "ERROR", "FAIL", "COLLI"];

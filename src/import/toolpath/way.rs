@@ -1,20 +1,20 @@
-//! The ways of a run that part and meet where a condition is not known.
+//! Branches of a run that part and meet at an unknown condition.
 
 use crate::import::toolpath::frames::Axes;
 
-/// What a condition or a loop that is not known does to the ways of a run.
+/// Effect of an unknown condition or loop on the branches of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Way {
-    /// A condition begins: its lines are run, or not.
+    /// A condition begins: its lines run or not.
     Begins,
-    /// Its next branch, in any case if none before it was run.
+    /// Its next branch; `otherwise`: it runs if no earlier one did.
     Branches {
         otherwise: bool,
     },
     Ends,
     LoopBegins,
-    /// The loop was run once. The positions of these axes were computed, and may differ in the next round.
+    /// A loop ran once. The positions of these axes were computed, and may differ in the next round.
     LoopEnds(Axes),
-    /// A loop that was run ends, of which it is not known how often it runs.
+    /// A loop with an unknown number of rounds ends.
     LoopLeft(Axes),
 }

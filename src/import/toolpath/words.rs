@@ -1,4 +1,4 @@
-//! What each word does: G codes by their number, places, and the names of a SINUMERIK.
+//! Effects of words: G codes by their number, positions, and the names of a SINUMERIK.
 
 use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::lex::{end_of_value, leads, number};
@@ -12,16 +12,16 @@ use crate::num::read_digits;
 
 /// What follows a letter.
 enum Value {
-    /// A value, and where it ends.
+    /// A value and its end.
     Is(Word, usize),
-    /// The letter belongs to a label, which ends there.
+    /// The letter belongs to a label, with its end.
     Label(usize),
     /// The letter begins a name.
     Named,
 }
 
 impl Reader {
-    /// Takes the word at `at` and gives where the next one begins; `None` if it is not a word.
+    /// Reads the word at `at` and returns the start of the next one; `None` if it is not a word.
     pub(super) fn word(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
         let letter = line[at].to_ascii_uppercase();
         let (word, end) = match self.value(line, at, letter)? {
@@ -50,16 +50,16 @@ impl Reader {
             }
             (b'I'..=b'K', word) => {
                 let axis = letter - b'I';
-                // A HEIDENHAIN's is the pole of circles, which stays: none is followed.
+                // On a HEIDENHAIN it is the pole of circles, which is modal: not followed.
                 block.centered |= u8::from(!self.heidenhain) << axis;
-                // A centre that is computed makes no arc.
+                // A computed centre gives no arc.
                 block.center[usize::from(axis)] = word.number();
             }
             (b'F', word) => block.feed = Some(word.number()),
             (b'R', word) => block.radius = Some(word.number()),
             (b'G', Word::Number(x)) => {
                 let foreign = self.code(effect(self.family(), letter, tenths(x)), block);
-                // Whether a G31 probes is seen by its other words.
+                // Whether a G31 probes depends on its other words.
                 if foreign == Foreign::No && block.once == Some(Motion::MayTouch) {
                     (block.name, block.special) = ([at, end], true);
                 }
@@ -91,7 +91,7 @@ impl Reader {
         Some(end)
     }
 
-    /// What follows the letter of a word; `None` if that is no value.
+    /// Value after the letter of a word; `None` for anything else.
     #[inline]
     fn value(&self, line: &[u8], at: usize, letter: u8) -> Option<Value> {
         let next = skip_blanks(line, at + 1);
@@ -111,7 +111,7 @@ impl Reader {
                 let number = if first == b'-' { -size } else { size };
                 let end = after_sign + length;
                 match line.get(end) {
-                    // `R1=5` gives a variable a value.
+                    // `R1=5` sets a variable.
                     Some(b'=') => return None,
                     // A label: `L1: G1 X5`.
                     Some(b':') if self.sinumerik => return Some(Value::Label(end + 1)),
@@ -125,7 +125,7 @@ impl Reader {
                     by_its_own(line, next + 1).unwrap_or_else(|| assigned(line, next + 1));
                 Value::Is(word, end)
             }
-            // What a function gives: XSIN[30].
+            // Result of a function: XSIN[30].
             _ if !self.sinumerik && matches!(letter, b'X'..=b'Z' | b'F') => {
                 let name = line[next..]
                     .iter()
@@ -141,7 +141,7 @@ impl Reader {
         })
     }
 
-    /// A word of more letters: `MEAS=1`, `CR = 5`, `SPOS=0`, a label, and none else.
+    /// A word with several letters: `MEAS=1`, `CR = 5`, `SPOS=0`, or a label.
     fn name(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
         if !self.sinumerik {
             return None;
@@ -166,7 +166,7 @@ impl Reader {
             _ => return None,
         }
         let value = past_blanks(past_blanks(end) + 1);
-        // A number ends where the next word begins: MEAS=1G1X5.
+        // A number ends at the next word: MEAS=1G1X5.
         let stated = number(line, value);
         let stop = stated.map_or_else(|| end_of_value(line, value), |(_, end)| end);
         let is = |word: &[u8]| name.eq_ignore_ascii_case(word);
@@ -180,10 +180,10 @@ impl Reader {
         (stop > value).then_some(stop)
     }
 
-    /// Takes in what a code does. Axis words are a position under those codes alone that leave them one.
+    /// Applies the effect of a code. Axis words are a position only under codes that leave them one.
     fn code(&mut self, effect: Option<Effect>, block: &mut Block) -> Foreign {
         let Some(effect) = effect else {
-            // It may run a macro of the control's own.
+            // It may run a native macro.
             self.called_out = true;
             return Foreign::Unknown;
         };
@@ -213,7 +213,7 @@ impl Reader {
                 self.modes.maybe_changed = false;
             }
             Effect::CentersAbsolute(absolute) => self.modes.centers_absolute = absolute,
-            // A feed stays in the mode that it was stated in.
+            // A feed stays in the mode in which it was stated.
             Effect::PerMinute(on) if on != self.modes.by_other => {}
             Effect::PerMinute(on) => (self.modes.by_other, self.feed) = (!on, f64::NAN),
             Effect::Diameter(on) => self.modes.diameter = on,
@@ -317,7 +317,7 @@ impl Reader {
     }
 }
 
-/// Ten times the number of a code; of one with more decimals, or too large for any control, a number that is no code's.
+/// Ten times the number of a code. For more decimals, or too large a number, a number that no code has.
 pub(super) fn tenths(code: f64) -> i32 {
     let tenths = (code * 10.0 + 0.5) as i32;
     if (f64::from(tenths) - code * 10.0).abs() < 1e-6 {
@@ -327,9 +327,9 @@ pub(super) fn tenths(code: f64) -> i32 {
     }
 }
 
-/// What is assigned, `X=5`, and where that ends.
+/// The assigned value in `X=5`, and its end.
 fn assigned(line: &[u8], at: usize) -> (Word, usize) {
-    // A number ends where the next word begins: X=5Y3. Otherwise it is a part of a sum: X=5+R1.
+    // A number ends at the next word: X=5Y3. Otherwise it is a part of a sum: X=5+R1.
     let end = end_of_value(line, at);
     let whole = |stop: usize| stop == end || line[stop].is_ascii_alphabetic();
     match number(line, at).filter(|(_, stop)| whole(*stop)) {
@@ -338,7 +338,7 @@ fn assigned(line: &[u8], at: usize) -> (Word, usize) {
     }
 }
 
-/// The number in `AC(5)` or `IC(5)`, a place (true) or a distance, and where that ends.
+/// The number in `AC(5)` or `IC(5)`, a position (true) or a distance, and its end.
 fn by_its_own(line: &[u8], at: usize) -> Option<(Word, usize)> {
     let past_blanks = |at: usize| {
         at + line[at..]
@@ -358,7 +358,7 @@ fn by_its_own(line: &[u8], at: usize) -> Option<(Word, usize)> {
     (line.get(close) == Some(&b')')).then_some((Word::Placed(x, place), close + 1))
 }
 
-/// The first place from here on that is no blank.
+/// Next non-blank position.
 fn skip_blanks(line: &[u8], mut at: usize) -> usize {
     while matches!(line.get(at), Some(b' ' | b'\t')) {
         at += 1;

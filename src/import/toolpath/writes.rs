@@ -1,8 +1,8 @@
-//! What a program changes that lasts: work offsets, shifts, the tool table. One kind of event for every way to write it.
+//! Lasting changes by a program: work offsets, shifts, the tool table. One kind of event for every way of writing.
 
 use serde::Serialize;
 
-/// What a write is called by its kind.
+/// Names of the kinds of writes.
 pub const WRITE_KINDS: [&str; 6] = ["offset", "shift", "length", "radius", "wear", "table"];
 pub(super) const OFFSET: &str = WRITE_KINDS[0];
 pub(super) const SHIFT: &str = WRITE_KINDS[1];
@@ -14,21 +14,21 @@ pub(super) const TABLE: &str = WRITE_KINDS[5];
 /// A lasting change that a program makes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Write {
-    /// Its 0-based line, in its own text.
+    /// The 0-based line in its file.
     pub line: u32,
-    /// That text: 0 is the program, what is above it a file of subprograms, counted from 1.
+    /// Its file: 0 is the program, higher numbers are files of subprograms, counted from 1.
     pub file: u32,
     /// One of [`WRITE_KINDS`].
     pub kind: &'static str,
-    /// What is written, as the control calls it: `G54`, `G92`, `tool 5`, `#2605`.
+    /// The register in the control's notation: `G54`, `G92`, `tool 5`, `#2605`.
     pub register: String,
-    /// `X`, `Y`, `Z`, or `R` for a rotation; `None` if the feature that is measured decides it.
+    /// `X`, `Y`, `Z`, or `R` for a rotation; `None` if the measured feature decides it.
     pub axis: Option<&'static str>,
-    /// In the program's first units, degrees of a rotation; `None` if it is not known. The present position gets it by `G10 L20` and G92.
+    /// In the program's first units, a rotation in degrees; `None` if it is unknown. With `G10 L20` and G92 the current position gets the value.
     pub value: Option<f64>,
     /// Whether the write depends on a condition after the last touch. `Some(false)`: there is no condition. `None`: what the condition compares is unknown.
     pub guarded: Option<bool>,
-    /// How many moves were made before.
+    /// Number of moves before the write.
     #[serde(skip)]
     pub(super) moves: usize,
 }
@@ -40,7 +40,7 @@ pub(super) enum Variable {
     Offset(i32, usize),
     /// Any part of any work offset.
     AnyOffset(String),
-    /// A frame of the program itself, which does not last.
+    /// A frame of the program, which does not last.
     ProgramFrame,
     Shift(usize),
     External(usize),
@@ -48,13 +48,13 @@ pub(super) enum Variable {
     Tool(&'static str, String),
 }
 
-/// How many axes a work offset has here.
+/// Number of axes of a work offset.
 pub(super) const OFFSET_AXES: usize = 3;
 
 /// The names of axes, and of a rotation.
 pub(super) const AXES: [&str; 4] = ["X", "Y", "Z", "R"];
 
-/// What a variable of LinuxCNC (#5211 …) or of a Fanuc writes; `None` if it is no register.
+/// Register of a variable of LinuxCNC (#5211 …) or of a Fanuc; `None` if it is not a register.
 pub(super) fn of_number(number: i32, linuxcnc: bool) -> Option<Variable> {
     let own = |first: i32| {
         let (set, axis) = ((number - first) / 20, ((number - first) % 20) as usize);
@@ -82,7 +82,7 @@ pub(super) fn of_number(number: i32, linuxcnc: bool) -> Option<Variable> {
     }
 }
 
-/// What a variable of a SINUMERIK writes: `$P_UIFR[1,X,TR]`.
+/// Register of a SINUMERIK variable: `$P_UIFR[1,X,TR]`.
 pub(super) fn of_name(name: &str) -> Option<Variable> {
     if name.starts_with("$P_PFRAME") || name.starts_with("$P_IFRAME") {
         return Some(Variable::ProgramFrame);

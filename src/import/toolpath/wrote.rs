@@ -1,4 +1,4 @@
-//! Blocks, variables and calls that write what lasts: each becomes an event, and changes what is known of the coordinate system.
+//! Blocks, variables and calls with lasting writes: each becomes an event and changes the known coordinate system.
 
 use crate::control::native::{Call, tool_name};
 use crate::import::toolpath::block::Block;
@@ -10,7 +10,7 @@ use crate::import::toolpath::writes::{
     AXES, LENGTH, OFFSET, RADIUS, SHIFT, TABLE, Variable, WEAR, Write,
 };
 
-/// So many writes are listed.
+/// Largest number of listed writes.
 const MOST_WRITES: usize = 10_000;
 
 impl Reader {
@@ -72,7 +72,7 @@ impl Reader {
         self.wrote_axes(OFFSET, "external offset", given);
     }
 
-    /// It is not known what is written.
+    /// A write of unknown registers.
     pub(super) fn wrote_any(&mut self) {
         self.wrote(OFFSET, "?".to_owned(), None, f64::NAN);
     }
@@ -80,7 +80,7 @@ impl Reader {
     /// `G10 L1 P5 Z…` of a LinuxCNC, `G10 L10 P5 R…` of a Fanuc.
     pub(super) fn wrote_tool(&mut self, block: &Block, l: f64, given: (Axes, Position)) {
         let tool = tool_name(block.p.unwrap_or(f64::NAN));
-        // By axis words LinuxCNC, by R alone a Fanuc; L1 with R is LinuxCNC's radius.
+        // LinuxCNC with axis words, a Fanuc with R only; L1 with R is LinuxCNC's radius.
         let (axes, radius) = match l as i32 {
             1 | 10 | 11 if given.0 != 0 => (LENGTH, RADIUS),
             1 | 12 => (TABLE, RADIUS),
@@ -94,10 +94,10 @@ impl Reader {
         }
     }
 
-    /// A program gives a variable a value that is a register of the control.
+    /// A program sets a variable that is a register of the control.
     #[cold]
     pub(super) fn writes_variable(&mut self, variable: &Variable, value: f64) {
-        // In inch it depends on the machine what the number counts in.
+        // In inch the unit of the number depends on the machine.
         let ambiguous = self.is_inch() && value != 0.0 && !self.sinumerik;
         let length = if ambiguous {
             f64::NAN
@@ -139,7 +139,7 @@ impl Reader {
         }
     }
 
-    /// `FN 17: SYSWRITE ID50 NR5 …`, `FN 27: TABWRITE 5/"X" = …`: what is written is not followed.
+    /// `FN 17: SYSWRITE ID50 NR5 …`, `FN 27: TABWRITE 5/"X" = …`: the written value is not followed.
     #[cold]
     pub(super) fn wrote_by_function(&mut self, word: &str, rest: &str) {
         let rest = rest.strip_prefix(word).unwrap_or(rest).trim();
@@ -151,7 +151,7 @@ impl Reader {
         }
     }
 
-    /// What a call of a native cycle writes.
+    /// Writes of a native call.
     #[cold]
     pub(super) fn wrote_by_call(&mut self, call: &Call, arguments: &[(String, f64)]) {
         for written in call.written(arguments) {
@@ -187,7 +187,7 @@ impl Reader {
         }
     }
 
-    /// A FluidNC's P in a probing block: the contact gets this number along the first axis that is named, in the active work offset.
+    /// P of a FluidNC in a probing block: the contact gets this number along the first named axis, in the active work offset.
     pub(super) fn writes_by_probing(&mut self, block: &Block, p: f64) {
         let Some(axis) = (0..3).find(|axis| block.given & (1 << axis) != 0) else {
             return;

@@ -1,4 +1,4 @@
-//! The lines of a long program: in few strokes, and without those that cannot be seen.
+//! Draws the lines of a long program in few strokes, without those that cannot be seen.
 
 use super::{DOT, Painter};
 use crate::geom::Vec2;
@@ -7,24 +7,24 @@ use crate::view::plate::within_box;
 use crate::view::scene::{Line, Scene, Stroke};
 use crate::view::style::{self, Colour};
 
-/// A picture with more lines than this is drawn so: no job has so many.
+/// A picture with more lines is drawn this way; no job has that many.
 pub(super) const LONG: usize = 5_000;
 
-/// What ends nearer than this to the point before is drawn with the next line, pixels.
+/// Ends closer than this to the previous point are merged with the next line, pixels.
 const NEAR: f64 = 0.7;
 
-/// How far beyond the window a line is drawn, pixels: more than half its width.
+/// Distance beyond the window at which lines are still drawn, pixels: more than half their width.
 const WIDE: f64 = 16.0;
 
-/// The most points of a stroke: one twice as long takes browsers longer than two.
+/// Largest number of points in a stroke: one twice as long takes browsers longer than two.
 const MOST: usize = 500;
 
-/// Draws lines that follow each other in one stroke.
+/// Draws consecutive lines in one stroke.
 struct Pen<'p> {
     painter: &'p Painter,
-    /// What the stroke is; none before the first.
+    /// Style of the stroke; `None` before the first.
     style: Option<(Stroke, bool)>,
-    /// Its last point, and where its last line ends.
+    /// Its last point, and the end of its last line.
     ends: [Vec2; 2],
     points: usize,
 }
@@ -50,7 +50,7 @@ impl Pen<'_> {
         self.points += 1;
     }
 
-    /// Ends the stroke. Feeds have no dashes here: most of their lines are shorter than one.
+    /// Ends the stroke. Feeds are solid here: most of their lines are shorter than a dash.
     fn finish(&mut self) {
         let Some((stroke, rapid)) = self.style.take() else {
             return;
@@ -67,7 +67,7 @@ impl Pen<'_> {
     }
 }
 
-/// The part of a line that lies in a window of this size, and a little around it. Far beyond it a browser would still make every dash.
+/// Part of a line inside a window of this size, with a small margin. Far outside a browser would still compute every dash.
 fn clipped([from, to]: [Vec2; 2], size: Vec2) -> Option<[Vec2; 2]> {
     let [low, high] = [Vec2::splat(-WIDE), size + WIDE];
     let inside = |p: Vec2| p.cmpge(low).all() && p.cmple(high).all();
@@ -76,19 +76,19 @@ fn clipped([from, to]: [Vec2; 2], size: Vec2) -> Option<[Vec2; 2]> {
     }
     let [first, last] = within_box([from, to], [low, high])?;
     let at = |part: f64| from.lerp_monotonic(to, part);
-    // Ends that lie inside stay as they are: lines go on from there.
+    // Ends inside are unchanged: the next line continues from there.
     Some([
         if first > 0.0 { at(first) } else { from },
         if last < 1.0 { at(last) } else { to },
     ])
 }
 
-/// The pixel of a spot, counted from a place outside every window.
+/// Pixel of a point, counted from an origin outside every window.
 fn pixel(spot: Vec2) -> [u64; 2] {
     spot.to_array().map(|x| (x.round() + 2.0 * WIDE) as u64)
 }
 
-/// The lines that were drawn last, by their pixels: a place each, which a later one takes.
+/// Recently drawn lines by their pixels: one entry each, which a later line replaces.
 struct Recent(Vec<u64>);
 
 impl Default for Recent {
@@ -100,9 +100,9 @@ impl Default for Recent {
 impl Recent {
     const PLACES: u32 = 16;
 
-    /// Whether a line between these pixels is new. One of long ago may be.
+    /// Whether a line between these pixels is new. A line from long ago may count as new.
     fn is_new(&mut self, line: &Line, [[a, b], [c, d]]: [[u64; 2]; 2]) -> bool {
-        // No window has as many pixels as fifteen bits count.
+        // No window has more pixels than fifteen bits count.
         let line = [b, c, d, line.stroke as u64, u64::from(line.rapid)]
             .into_iter()
             .zip([15, 15, 15, 2, 1]);
@@ -113,7 +113,7 @@ impl Recent {
 }
 
 impl Painter {
-    /// The touches that are looked at along their way, over everything else: no browser strokes a line without a length.
+    /// Draws touches that are seen along their direction over everything else: no browser strokes a line without length.
     pub(super) fn dots(&self, scene: &Scene, camera: &Camera) {
         let mut recent = Recent::default();
         for line in scene
@@ -149,7 +149,7 @@ impl Painter {
                     continue;
                 };
                 let pixels = ends.map(pixel);
-                // From pixel to pixel a line of a kind is drawn once, but for those within a pixel that continue another one.
+                // A line of one kind between two pixels is drawn once, except within a pixel where it continues another one.
                 let continues = pixels[0] == pixels[1] && pen.ends[1] == ends[0];
                 if continues || recent.is_new(line, pixels) {
                     pen.line((line.stroke, line.rapid), ends);

@@ -25,56 +25,56 @@ use crate::view::scene::{Line, Scene, Stroke};
 use crate::view::style::screen::ARROWS;
 use crate::view::style::{self, CENTRE_LINES, Colour, EDGES};
 
-/// What is pointed at and said beside the scene itself.
+/// Highlights and texts beside the scene itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Marks<'a> {
-    /// The move that is lit.
+    /// The highlighted move.
     pub highlight: Option<usize>,
-    /// How much of that move is done, 0 to 1.
+    /// Fraction of that move that is done, 0 to 1.
     pub part: f64,
-    /// Whether the virtual part lies other than the nominal one.
+    /// Whether the virtual part deviates from the nominal one.
     pub deviates: bool,
     /// The path of the field that has the focus.
     pub field: Option<&'a str>,
-    /// What a dimension is called, by its field's path.
+    /// Names of the dimensions, by the paths of their fields.
     pub names: &'a [(&'static str, String)],
-    /// The name of the work offset.
+    /// Name of the work offset.
     pub origin: &'a str,
-    /// Where a machine measured the ball's centre.
+    /// Ball centres measured by a machine.
     pub measured: &'a [Vec2],
     /// Whether the scale has a decimal comma.
     pub comma: bool,
 }
 
-/// The fonts of a picture: of what dimensions are called, and of everything else.
+/// Fonts of a picture: names of dimensions, and everything else.
 const LABEL: &str = "13px system-ui, sans-serif";
 const BOLD: &str = "600 13px system-ui, sans-serif";
 
-/// Pixels between the strokes of a hatching.
+/// Pixels between hatching lines.
 const HATCH: f64 = 9.0;
 
-/// How deep material is seen behind an edge of a small picture, pixels.
+/// Depth of the material shown behind an edge of a small picture, pixels.
 const SMALL_BAND: f64 = 8.0;
 
-/// How far behind a contact the disc of its number reaches, pixels.
+/// Distance that the disc of a number extends from its contact, pixels.
 const NUMBER: f64 = 25.0;
 
-/// Half the size in pixels of the dot of a touch that is looked at along its way.
+/// Half the size of the dot for a touch seen along its direction, pixels.
 const DOT: f64 = 3.5;
 
 /// Half the size of a handle in pixels.
 const HANDLE: f64 = 6.0;
 
-/// Pixels from the corner of the axes to their names, and how far around it a click is theirs.
+/// Distance of the axis names from their corner, and radius in which a click belongs to them, pixels.
 const AXIS_NAME: f64 = 28.0;
 const AXES: f64 = 36.0;
 
-/// Where the work axes are drawn.
+/// Position of the work axes.
 fn axes_corner(camera: &Camera) -> Vec2 {
     Vec2::new(AXES_CORNER, camera.size.y - AXES_CORNER)
 }
 
-/// The view that a click on the axes asks for: along the axis whose name is there, or isometric beside them.
+/// View for a click on the axes: along the axis whose name is there, or isometric beside them.
 pub fn axis_at(scene: &Scene, camera: &Camera, at: Vec2) -> Option<&'static str> {
     let corner = axes_corner(camera);
     if corner.distance(at) > AXES {
@@ -84,7 +84,7 @@ pub fn axis_at(scene: &Scene, camera: &Camera, at: Vec2) -> Option<&'static str>
         let tip = corner + direction * DOWNWARDS * AXIS_NAME;
         direction.length() > 0.1 && tip.distance(at) <= 14.0
     };
-    // Along the abscissa one sees the side, along the ordinate the front, along the tool axis the top.
+    // A click on the abscissa shows the side, on the ordinate the front, on the tool axis the top.
     let found = scene
         .axes
         .iter()
@@ -98,8 +98,8 @@ pub fn turning(shifting: Vec2, direction: Vec2) -> Vec2 {
     shifting + direction * DOWNWARDS * 64.0
 }
 
-/// Positions of the handles of the first touch's angle and of the spread's end: outside the circle and the numbers of its touches, one further out
-/// than the other, so that a whole turn shows both.
+/// Positions of the handles for the first touch's angle and the end of the spread: outside the circle and the numbers of its touches, one farther out than the
+/// other, so that a full turn shows both.
 pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
     let (center, radius, start, sweep) = scene.spread?;
     let center = camera.pixel(center);
@@ -113,36 +113,36 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
     ])
 }
 
-/// Whether a scene has so many lines that it is drawn in few strokes, and feeds without dashes.
+/// Whether a scene has so many lines that it is drawn in few strokes, with solid feeds.
 pub fn is_long(scene: &Scene) -> bool {
     scene.lines.len() > long_program::LONG
 }
 
-/// Whether a run comes to a line: not behind a collision.
+/// Whether a run reaches a line: not after a collision.
 fn reached(scene: &Scene, line: &Line) -> bool {
     scene.collision.is_none_or(|(index, _)| line.index <= index)
 }
 
-/// Whether a line is lit with its move: the search past a contact is no way that the ball goes.
+/// Whether a line is highlighted with its move: the ball does not make the search past a contact.
 fn lit(line: &Line) -> bool {
     line.stroke != Stroke::Overtravel
 }
 
-/// A canvas and what is drawn on it.
+/// A canvas and its drawing state.
 #[derive(Debug)]
 pub struct Painter {
     canvas: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
     pub theme: Theme,
-    /// Whether it is a small picture: no axes, no numbers, no handles.
+    /// Whether it is a small picture without axes, numbers and handles.
     pub small: bool,
-    /// Whether nothing is there to be gripped.
+    /// Whether nothing can be gripped.
     pub still: bool,
-    /// Device pixels in a CSS pixel.
+    /// Device pixels per CSS pixel.
     pub ratio: f64,
-    /// The font that is set: each time one is set, the browser works out the page's styles first.
+    /// Current font: every change makes the browser compute the page's styles first.
     font: Cell<&'static str>,
-    /// The dashes that are set: each time some are set, they are copied into a list of the browser's.
+    /// Current dashes: every change copies them into a list of the browser.
     dashes: Cell<&'static [f64]>,
 }
 
@@ -168,12 +168,12 @@ impl Painter {
         })
     }
 
-    /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
+    /// Sets the size of the canvas in CSS pixels, each `ratio` device pixels wide.
     pub fn resize(&mut self, size: Vec2, ratio: f64) {
         self.ratio = ratio;
         self.canvas.set_width((size.x * ratio).round() as u32);
         self.canvas.set_height((size.y * ratio).round() as u32);
-        // Another size resets all that was set.
+        // A new size resets the drawing state.
         self.font.set("");
         self.dashes.set(&[]);
     }
@@ -194,14 +194,14 @@ impl Painter {
             Colour::Background,
             None,
         );
-        // Nothing that is restored to what was set before has dashes.
+        // State restored to the earlier one has no dashes.
         self.dash(&[]);
         self.font(font);
         c.set_text_align("center");
         c.set_text_baseline("middle");
     }
 
-    /// Empties a canvas that lies over that of a picture.
+    /// Clears the canvas above that of a picture.
     pub fn clear(&self, camera: &Camera) {
         let _ = self
             .context
@@ -210,7 +210,7 @@ impl Painter {
             .clear_rect(0.0, 0.0, camera.size.x, camera.size.y);
     }
 
-    /// Draws a move of a picture, lit, on the canvas over it.
+    /// Draws a highlighted move of a picture on the canvas above it.
     pub fn draw_lit(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
         let c = &self.context;
         c.set_line_cap("round");
@@ -220,7 +220,7 @@ impl Painter {
             self.line(line, camera, lit(line), reached(scene, line));
         }
         self.ball(scene, camera, index, part);
-        // The number of a touch that is lit is not beneath it.
+        // The number of a highlighted touch is not beneath it.
         if !self.small
             && let Some(touch) = scene
                 .touches
@@ -235,7 +235,7 @@ impl Painter {
         }
     }
 
-    /// The ball on its way, and the stylus above it.
+    /// The moving ball, and the stylus above it.
     fn ball(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
         let Some(place) = scene.ball(index, part) else {
             return;
@@ -278,7 +278,7 @@ impl Painter {
         if let Some(unit) = scene.unit {
             self.distances(scene, camera, (unit, marks.comma), &layout);
         }
-        // Over everything that may lie at their contacts.
+        // Above everything at their contacts.
         layout.numbers.iter().for_each(|number| self.number(number));
         self.font(BOLD);
         // The touches of a job have their balls.
@@ -291,7 +291,7 @@ impl Painter {
         self.sizes(&layout, marks);
     }
 
-    /// The material, the walls and top sides, and what lies behind these.
+    /// Material, walls and top sides, and everything behind them.
     fn part(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         self.material(scene, camera);
         self.blocks(scene, camera);
@@ -301,7 +301,7 @@ impl Painter {
                 Item::Walls(walls) => self.walls(&walls, solid),
                 Item::Top(corners) => self.top(corners),
                 Item::Behind(of) => {
-                    // The lines of a long path are drawn together, in one place.
+                    // The lines of a long path are drawn together.
                     if !is_long(scene) {
                         self.path(scene, camera, marks, Some(of));
                     }
@@ -311,7 +311,7 @@ impl Painter {
         }
     }
 
-    /// The moves and touches that nothing hides.
+    /// Moves and touches that nothing hides.
     fn moves(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         if is_long(scene) {
             self.long(scene, camera);
@@ -328,7 +328,7 @@ impl Painter {
         self.touches(scene, camera, marks, None);
     }
 
-    /// What was measured, what the ball meets, where it is, and the line that the cycle is about.
+    /// Measured points, collision, moving ball, and centre line of the cycle.
     fn happens(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         for spot in marks.measured {
             self.square(camera.pixel(*spot));
@@ -348,7 +348,7 @@ impl Painter {
         }
     }
 
-    /// The dimensions, and above them what they and the angles say.
+    /// The dimensions, and above them the names of dimensions and angles.
     fn sizes(&self, layout: &Layout<'_>, marks: &Marks<'_>) {
         let lit = |field: &str| marks.field == Some(field);
         layout
@@ -387,11 +387,11 @@ impl Painter {
                     pen.widths[0].min(2.5),
                 );
             }
-            // Names are placed beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
+            // Names are beyond the tip; those of lengths beside it, so that an axis beneath keeps its name.
             let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
             let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
             let mut at = end + way * beyond + way.perp() * aside;
-            // Axes that lie on each other: one name below the other.
+            // Coinciding axes: one name below the other.
             while named
                 .iter()
                 .any(|other| (*other - at).abs().cmplt(Vec2::new(26.0, 14.0)).all())
@@ -403,7 +403,7 @@ impl Painter {
         }
     }
 
-    /// The material behind edges, filled and hatched as in a section.
+    /// Material behind edges, filled and hatched as in a section.
     fn material(&self, scene: &Scene, camera: &Camera) {
         if scene.material.is_empty() {
             return;
@@ -415,7 +415,7 @@ impl Painter {
         self.fill(Colour::Background);
     }
 
-    /// Isometric, the material around what lies inside the part, cut open.
+    /// In the isometric view the material around inner features, cut open.
     fn blocks(&self, scene: &Scene, camera: &Camera) {
         for Block { face, corners } in &scene.blocks {
             let outline: Vec<Vec2> = corners.iter().map(|corner| camera.pixel(*corner)).collect();
@@ -439,14 +439,14 @@ impl Painter {
         }
     }
 
-    /// Outlines filled so dark, and hatched as in a section.
+    /// Outlines filled with this darkness, and hatched as in a section.
     fn hatched(&self, filled: &[Vec<Vec2>], camera: &Camera, dark: f64) {
         let c = &self.context;
         c.save();
         self.outlines(filled);
         self.alpha(dark).fill(Colour::Wall);
         c.clip();
-        // The strokes lie still against the part while the picture is moved.
+        // The hatching stays fixed to the part while the picture moves.
         let Vec2 {
             x: width,
             y: height,
@@ -461,7 +461,7 @@ impl Painter {
         c.restore();
     }
 
-    /// Walls in one, their faces `solid`: else they let a section's hatching through, and are no darker than it.
+    /// Walls in one; with `solid` faces, else they let a section's hatching show through and are no darker.
     fn walls(
         &self,
         Walls {
@@ -486,7 +486,7 @@ impl Painter {
             return;
         }
         self.outlines(outlines);
-        // A surface that is seen is solid; one that is looked at from behind is only a veil: so a hole is not a boss.
+        // A visible surface is solid; one seen from behind is only a veil: so a hole does not look like a boss.
         if wall.faces && !wall.actual && solid {
             self.alpha(0.8).fill(Colour::Background);
         }
@@ -529,10 +529,10 @@ impl Painter {
         self.alpha(1.0);
     }
 
-    /// The moves behind something, or those behind nothing.
+    /// Moves hidden by something, or those that nothing hides.
     fn path(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
         let lines = || scene.lines.iter().filter(move |line| line.behind == behind);
-        // Touches lie on their ways back: drawn last, they are seen.
+        // Touches coincide with their retracts: drawn last, they are visible.
         for touches in [false, true] {
             for line in lines().filter(|line| (line.stroke == Stroke::Touch) == touches) {
                 let moves = marks.highlight == Some(line.index) && lit(line);
@@ -547,12 +547,12 @@ impl Painter {
         }
     }
 
-    /// The touches behind something, or those behind nothing: ball, contact, and the contact on the virtual part.
+    /// Touches hidden by something, or those that nothing hides: ball, contact, and the contact on the virtual part.
     fn touches(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
         let asked = marks.field == Some("stylus.diameter");
-        // A ball beside a part of metres is still there.
+        // The ball stays visible beside a part of several metres.
         let radius = (scene.radius * camera.scale).max(2.5);
-        // What is hidden is seen faintly through what hides it.
+        // Hidden parts are faintly visible.
         for touch in scene
             .touches
             .iter()
@@ -598,13 +598,13 @@ impl Painter {
         let _ = c.fill_text(&number.said, x, y);
     }
 
-    /// A measured ball centre: a square on its tip, which nothing else is.
+    /// A measured ball centre: a square on its tip, a shape that nothing else has.
     fn square(&self, at: Vec2) {
         self.outlines(&[[Vec2::NEG_Y, Vec2::X, Vec2::Y, Vec2::NEG_X].map(|way| at + way * 7.0)]);
         self.stroke(Colour::Highlight, 2.0);
     }
 
-    /// The ball where it meets the part, in the colour of touches, crossed out.
+    /// The ball at a collision, in the colour of touches, crossed out.
     fn collision(&self, at: Vec2, radius: f64) {
         let radius = radius.max(6.0);
         self.alpha(0.35).disc(at, radius, Colour::Touch);

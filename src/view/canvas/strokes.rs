@@ -1,4 +1,4 @@
-//! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
+//! Strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
 use std::f64::consts::TAU;
 
@@ -9,15 +9,15 @@ use crate::view::layout::{Arc, Placed};
 use crate::view::plate::Plate;
 use crate::view::style::{Colour, Pen};
 
-/// Pixels between what a dimension is called and its value.
+/// Pixels between the name of a dimension and its value.
 const NAME_GAP: f64 = 7.0;
 
-/// Pixels across the line of a dimension or an angle.
+/// Width of the line of a dimension or an angle, pixels.
 fn wide(lit: bool) -> f64 {
     if lit { 2.0 } else { 1.0 }
 }
 
-/// What a dimension or an angle says, and where.
+/// Text of a dimension or an angle, and its position.
 #[derive(Clone, Copy)]
 pub(super) struct Name<'a> {
     pub said: &'a str,
@@ -26,7 +26,7 @@ pub(super) struct Name<'a> {
 }
 
 impl Painter {
-    /// How much what follows covers, 0 to 1.
+    /// Sets the opacity of the following strokes, 0 to 1.
     pub(super) fn alpha(&self, alpha: f64) -> &Self {
         self.context.set_global_alpha(alpha);
         self
@@ -37,13 +37,13 @@ impl Painter {
         self.context.fill();
     }
 
-    /// Strokes the path in a line without gaps.
+    /// Strokes the path with a solid line.
     pub(super) fn stroke(&self, colour: Colour, width: f64) {
         self.take(colour, width, &[]);
         self.context.stroke();
     }
 
-    /// Strokes the path with the gaps of the pen, if it has any.
+    /// Strokes the path with the dashes of the pen, if it has any.
     pub(super) fn dashed(&self, pen: &Pen) {
         self.take(pen.colour, pen.widths[0], pen.dash);
         self.context.stroke();
@@ -78,7 +78,7 @@ impl Painter {
         self.context.close_path();
     }
 
-    /// Points in a row, as a part of the path.
+    /// Adds consecutive points to the path.
     pub(super) fn points(&self, points: &[Vec2]) {
         let c = &self.context;
         for (k, at) in points.iter().enumerate() {
@@ -90,7 +90,7 @@ impl Painter {
         }
     }
 
-    /// A filled arrow head with its tip at a place.
+    /// A filled arrow head with its tip at a position.
     pub(super) fn head(&self, tip: Vec2, way: Vec2, size: f64, colour: Colour) {
         let (back, half) = (tip - way * size, way.perp() * size * 0.42);
         self.outlines(&[[tip, back + half, back - half]]);
@@ -133,7 +133,7 @@ impl Painter {
             .for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
     }
 
-    /// What dimensions and angles say, each in its box. All values, then all labels: the font is set three times, however many there are.
+    /// Texts of dimensions and angles, each in its box. All values, then all labels: the font is set three times, however many there are.
     pub(super) fn names(&self, names: &[Name<'_>]) {
         let c = &self.context;
         let wide = |text: &str| c.measure_text(text).map_or(60.0, |m| m.width());
@@ -155,7 +155,7 @@ impl Painter {
             .collect();
         self.font(BOLD);
         let values: Vec<f64> = names.iter().map(|name| wide(halves(name.said).1)).collect();
-        // Before what is restored, as at the beginning of a picture.
+        // To the state at the beginning of a picture, before restoring.
         self.dash(&[]);
         for ((name, label), value) in names.iter().zip(&labels).zip(&values) {
             let [ground, ink] = if name.lit {
@@ -186,7 +186,7 @@ impl Painter {
         }
     }
 
-    /// An upright rectangle about a place, with or without an edge.
+    /// An upright rectangle around a point, with or without an edge.
     pub(super) fn plate(
         &self,
         middle: Vec2,
@@ -211,14 +211,14 @@ impl Painter {
         let _ = c.fill_text(text, at.x, at.y);
     }
 
-    /// A straight line without gaps.
+    /// A solid straight line.
     pub(super) fn segment(&self, from: Vec2, to: Vec2, colour: Colour, width: f64) {
         let (from, to) = crate::view::forwards(from, to);
         self.straight(from, to);
         self.stroke(colour, width);
     }
 
-    /// A straight line. Dashes lie where they lie on every other line along the same one: there and back they fill no gap.
+    /// A straight line. Dashes have the same positions on every line along it: there and back they fill no gap.
     pub(super) fn dashes(&self, from: Vec2, to: Vec2, pen: &Pen) {
         let (from, to) = crate::view::forwards(from, to);
         if !pen.dash.is_empty() {

@@ -9,7 +9,7 @@ use crate::view::style::Colour;
 use crate::view::style::screen::{ARM, SPREAD};
 
 impl Painter {
-    /// What can be gripped: the angles of the touches, and the virtual part.
+    /// The handles: angles of the touches, and the virtual part.
     pub(super) fn handles(&self, scene: &Scene, camera: &Camera) {
         if let (Some([start, sweep]), Some((center, ..))) =
             (spread_handles(scene, camera), scene.spread)
@@ -17,7 +17,7 @@ impl Painter {
             let center = camera.pixel(center);
             for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
                 self.dashes(center, handle, &SPREAD);
-                // No circle: those are balls.
+                // Squares, since circles are balls.
                 self.grip(handle, HANDLE * 0.8, Colour::Ball, width);
             }
         }
@@ -26,7 +26,7 @@ impl Painter {
         }
     }
 
-    /// How the feature is turned: from the abscissa to its first direction.
+    /// Rotation of the feature: from the abscissa to its first direction.
     pub(super) fn turn(&self, scene: &Scene, camera: &Camera) {
         let Some((origin, direction)) = scene.turn else {
             return;
@@ -44,7 +44,7 @@ impl Painter {
         self.stroke(Colour::Highlight, 2.0);
     }
 
-    /// A square to be gripped.
+    /// A square handle.
     fn grip(&self, at: Vec2, half: f64, colour: Colour, width: f64) {
         self.plate(
             at,
@@ -62,7 +62,7 @@ impl Painter {
         self.grip(at, HANDLE, Colour::Actual, 2.0);
     }
 
-    /// The work origin as a quartered disc with the name of its offset, or at the edge of the picture an arrow to it.
+    /// The work origin as a quartered disc with the name of its offset, or an arrow to it at the edge of the picture.
     fn origin(&self, scene: &Scene, camera: &Camera, name: &str, layout: &Layout<'_>) {
         let c = &self.context;
         let o = camera.pixel(scene.origin);
@@ -96,7 +96,7 @@ impl Painter {
         if name.is_empty() {
             return;
         }
-        // On its own ground.
+        // On its own background.
         let half = Vec2::new(
             c.measure_text(name).map_or(20.0, |m| m.width() / 2.0) + 3.0,
             8.0,
@@ -109,7 +109,7 @@ impl Painter {
 
     /// The work axes as arrows in the corner, and the work origin.
     pub(super) fn axes(&self, scene: &Scene, camera: &Camera, name: &str, layout: &Layout<'_>) {
-        // `G54 X0 Y0`: of the axes that are seen.
+        // `G54 X0 Y0`: with the visible axes.
         let mut place = name.to_owned();
         for (axis, direction) in scene.axes {
             if direction.length() >= 0.1 {
@@ -156,7 +156,7 @@ impl Painter {
         }
     }
 
-    /// A bar of a round length in units of so many millimetres, so that sizes can be judged.
+    /// A bar with a round length as a scale. `unit` is mm in a unit.
     pub(super) fn scale_bar(&self, camera: &Camera, unit: f64, comma: bool, layout: &Layout<'_>) {
         let length = camera.bar(unit);
         let half = Vec2::new(

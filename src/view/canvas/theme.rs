@@ -7,7 +7,7 @@ use crate::view::style::{COLOURS, Colour};
 pub struct Theme([String; COLOURS.len()]);
 
 impl Theme {
-    /// The colours by their names; what `given` has none for is the default.
+    /// The colours by their names; a missing one has its default.
     pub fn of(given: impl Fn(&str) -> Option<String>) -> Self {
         Theme(COLOURS.map(|(name, own, _)| given(name).unwrap_or_else(|| own.to_owned())))
     }

@@ -1,19 +1,19 @@
-//! Isometric, the material around what lies inside a part: a hole, a pocket, a groove, an inside corner. It is solid behind the far walls and cut open
-//! towards who looks, so that the touches are seen; what was cut away is seen through.
+//! In the isometric view the material around inner features: a hole, a pocket, a groove, an inside corner. It is solid behind the far walls and cut open
+//! towards the viewer, so that the touches are visible; the removed part is transparent.
 
 use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Surface, Wall};
 use crate::view::scene::top_faces::{is_upright, topped};
 use crate::view::walls::strips;
 
-/// What a face of the material is.
+/// Kind of a face of the material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
     /// The top side.
     Top,
-    /// Where it is cut.
+    /// A cut.
     Cut,
-    /// Of what was cut away.
+    /// Of the removed part.
     Away,
 }
 
@@ -21,26 +21,26 @@ pub enum Face {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub face: Face,
-    /// Its corners, in order.
+    /// Corners in order.
     pub corners: Vec<Vec2>,
 }
 
-/// How thick the material is drawn, of the longest wall.
+/// Thickness of the drawn material, as a share of the longest wall.
 const THICK: f64 = 0.16;
-/// Ends so near are one place, mm.
+/// Ends closer than this coincide, mm.
 const NEAR: f64 = 1e-6;
 
-/// A piece of the top edge of a wall, and how far behind it the material is drawn.
+/// A piece of the top edge of a wall, and the depth of the material behind it.
 struct Piece {
     inner: [Vec3; 2],
     outer: [Vec3; 2],
     /// From its top to its lower end.
     down: Vec3,
-    /// Whether the wall is seen: else the material lies before it, and is cut away.
+    /// Whether the wall is visible; otherwise the material is in front of it, and is removed.
     far: bool,
 }
 
-/// The material around the walls of a path that hide nothing whole. `spot` projects a position, `towards` is the direction to the viewer.
+/// Material around the walls of a path that hide no whole body. `spot` projects a position, `towards` is the direction to the viewer.
 pub(super) fn blocks(path: &Path, towards: Vec3, spot: impl Fn(Vec3) -> Vec2) -> Vec<Block> {
     let pieces = pieces(path, towards);
     let mut faces = Vec::new();
@@ -50,7 +50,7 @@ pub(super) fn blocks(path: &Path, towards: Vec3, spot: impl Fn(Vec3) -> Vec2) ->
             corners: corners.into_iter().map(&spot).collect(),
         })
     };
-    // The two walls of a groove belong together: so deep as they are drawn.
+    // The two walls of a groove belong together, at their drawn depth.
     if let [one, other] = &pieces[..]
         && one
             .inner
@@ -154,7 +154,7 @@ fn pieces(path: &Path, towards: Vec3) -> Vec<Piece> {
         .collect();
     let long = |wall: &Wall| wall.extent.1 - wall.extent.0;
     let longest = flat.iter().map(long).fold(0.0, f64::max);
-    // Two walls with a gap between them: as thick as makes a part of it.
+    // Two walls with a gap between them: thick enough to make a part of the gap.
     let facing = matches!(&flat[..], [one, other] if one.normal.dot(other.normal) < -0.999);
     let thick = THICK * if facing { 2.0 * longest } else { longest };
     let mut all: Vec<Piece> = flat
@@ -185,7 +185,7 @@ fn pieces(path: &Path, towards: Vec3) -> Vec<Piece> {
     all
 }
 
-/// The ends of the top edge of a wall, so that the air is on one side of every edge.
+/// Ends of the top edge of a wall, so that the air is on one side of every edge.
 fn top_edge(wall: &Wall, up: Vec3) -> [Vec3; 2] {
     let raised = if wall.has_top {
         Vec3::ZERO
@@ -203,7 +203,7 @@ fn top_edge(wall: &Wall, up: Vec3) -> [Vec3; 2] {
 
 fn flat_piece(wall: &Wall, all: &[Wall], thick: f64, up: Vec3, towards: Vec3) -> Piece {
     let inner = top_edge(wall, up);
-    // Where two walls meet, so does the material behind them.
+    // Where two walls meet, the material behind them meets as well.
     let outer = inner.map(|at| {
         let meets = all.iter().find(|other| {
             other.normal.dot(wall.normal) < 0.999

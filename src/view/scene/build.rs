@@ -1,4 +1,4 @@
-//! The scene of a job's path: a function a layer.
+//! Builds the scene of a job's path, with one function for each layer.
 
 use crate::formula::{Operand, RelationDrawing};
 use crate::geom::{Plane, Vec2, Vec3};
@@ -12,23 +12,23 @@ use crate::view::scene::{
 };
 use crate::view::walls::{WallShape, shape, strips};
 
-/// What the actual part adds.
+/// Additions for the actual part.
 #[derive(Debug)]
 pub struct Actual<'a> {
     pub surfaces: &'a [Surface],
-    /// The path run on those surfaces.
+    /// Run of the path on those surfaces.
     pub run: &'a Run,
-    /// Where the feature's origin really lies.
+    /// Actual origin of the feature.
     pub origin: Vec3,
-    /// Where its first direction really points.
+    /// Actual first direction.
     pub direction: Vec3,
-    /// Where the path's line really lies.
+    /// Actual line of the path.
     pub line: Option<[Vec3; 2]>,
-    /// How many times larger than it is it is drawn how the part deviates.
+    /// Magnification of the deviations of the part.
     pub magnify: f64,
 }
 
-/// The scene of a path. The material of a feature that `stock` contains is drawn with the stock.
+/// Scene of a path. The material of a feature that `stock` contains is drawn with the stock.
 pub fn build(
     path: &Path,
     setup: &Setup,
@@ -67,7 +67,7 @@ pub fn build(
         scene.dimensions = tilted(path, setup.plane, view);
         Backs::of(path, look.towards)
     } else {
-        // Walls are seen edge-on, and what lies along the picture in its true length.
+        // Walls are seen edge-on, and lengths along the picture in true size.
         scene.walls = look
             .walls(|_, _| None)
             .into_iter()
@@ -89,14 +89,14 @@ pub fn build(
             .and_then(|circles| circles.spread);
         scene.spread = spread.map(|s| (spot(s.center), s.radius, s.start, s.sweep));
         scene.turn = Some((spot(path.frame.origin), spot(path.frame.u)));
-        // What is drawn larger than it is cannot be dragged by it.
+        // A magnified part cannot be dragged.
         let dragged = actual.magnify == 1.0 && !path.touches.is_empty();
         scene.handle = dragged.then(|| (spot(actual.origin), spot(actual.direction)));
     }
     scene
 }
 
-/// The ways between the cycles of a set-up, and where its moves end: what the scenes of its cycles are put into.
+/// Link moves between the cycles of a set-up, and ends of its moves: the scenes of its cycles are added to this one.
 pub fn between(
     path: &Path,
     setup: &Setup,
@@ -153,7 +153,7 @@ pub fn between(
 /// Number of chords that draw a circle.
 const CHORDS: usize = 72;
 
-/// The greatest height of these cycles along the tool axis.
+/// Greatest height of these cycles along the tool axis.
 fn height(path: &Path, plane: Plane, members: &[usize]) -> f64 {
     let [.., w] = plane.basis();
     members
@@ -162,7 +162,7 @@ fn height(path: &Path, plane: Plane, members: &[usize]) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The places that a relation takes, on the nominal part.
+/// Positions that a relation uses, on the nominal part.
 fn places(path: &Path, plane: Plane, relation: &Related) -> Vec<Vec3> {
     let [a, o, w] = plane.basis();
     let nominal = |result: usize| path.formula.results[result].nominal;
@@ -212,14 +212,14 @@ fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
     })
 }
 
-/// What is looked at, and from where.
+/// Input of the scene with the viewing direction.
 struct Look<'a> {
     path: &'a Path,
     setup: &'a Setup,
     actual: &'a Actual<'a>,
     view: Projection,
     stock: Option<&'a Stock>,
-    /// The direction towards who looks.
+    /// Direction to the viewer.
     towards: Vec3,
 }
 
@@ -243,7 +243,7 @@ impl Look<'_> {
         }
     }
 
-    /// A wall as it is drawn. One without a known top is as high as the stock.
+    /// A wall for drawing. One without a known top is as high as the stock.
     fn ended(&self, wall: Wall) -> Wall {
         let up = self.path.frame.w;
         match self.stock {
@@ -257,7 +257,7 @@ impl Look<'_> {
         }
     }
 
-    /// A surface as it is seen. The strips of a round one stay together, to be drawn in one.
+    /// A projected surface. The strips of a round one stay together, to be drawn at once.
     fn surface(&self, surface: &Surface) -> Vec<Standing> {
         match surface {
             Surface::Flat(wall) => vec![(wall.point.dot(self.towards), self.shape(wall))],
@@ -281,8 +281,8 @@ impl Look<'_> {
         }
     }
 
-    /// The walls of the actual part, which are the nominal ones elsewhere, corner for corner; then the nominal ones. `topped` is the surface whose top
-    /// side is above a surface.
+    /// Walls of the actual part, which are the displaced nominal ones, corner for corner; then the nominal ones. `topped` returns the surface whose top side is
+    /// above a surface.
     fn walls(&self, topped: fn(&Path, usize) -> Option<usize>) -> Vec<Standing> {
         let nominal = &self.path.surfaces;
         let displaced = |(real, nominal): (&Surface, &Surface)| {
@@ -308,7 +308,7 @@ impl Look<'_> {
                         .map(|wall| (wall.point.dot(self.towards), self.shape(wall))),
                 );
             }
-            // The far side of what has a top is behind it.
+            // The far side of a body with a top is behind it.
             walls.retain(|(_, shape)| top.is_none() || shape.faces);
             walls.iter_mut().for_each(|(_, shape)| shape.top = top);
             walls
@@ -324,7 +324,7 @@ impl Look<'_> {
         walls
     }
 
-    /// The moves, and past each touch the search.
+    /// The moves, and the search past each touch.
     fn lines(&self, feeds: &Feeds, backs: &Backs) -> Vec<Line> {
         let mut lines = Vec::new();
         let mut at = self.path.start;
@@ -335,7 +335,7 @@ impl Look<'_> {
             .iter()
             .map(|touch| touch.point.dot(up))
             .fold(f64::NEG_INFINITY, f64::max);
-        // A long way at a clearance height: what crosses the part a little above its top is not meant.
+        // A long move at a clearance height, not one that crosses the part a little above its top.
         let clear = top + 30.0 * self.setup.radius.max(1.0);
         let high = |ends: [Vec3; 2]| {
             self.view == Projection::Top && ends.iter().all(|end| end.dot(up) > clear)
@@ -428,7 +428,7 @@ fn stroke(step: &Move) -> Stroke {
     }
 }
 
-/// Walls so that the nearer come later. What is seen through comes last: it veils what lies behind it and hides nothing.
+/// Walls in drawing order, nearer ones later. Transparent ones come last: they veil what is behind them and hide nothing.
 fn nearest_last(all: Vec<Standing>) -> Vec<WallShape> {
     let mut walls: Vec<Standing> = Vec::new();
     for wall in all {

@@ -1,4 +1,4 @@
-//! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
+//! The picture as data: lines, walls and discs in mm on the picture plane, without colours and pixels.
 
 pub mod blocks;
 mod build;
@@ -17,7 +17,7 @@ use crate::view::scene::blocks::Block;
 use crate::view::scene::top_faces::Top;
 use crate::view::walls::WallShape;
 
-/// Where the scene is looked at from.
+/// Viewing direction of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {
     /// Against the tool axis.
@@ -42,7 +42,7 @@ impl Projection {
         }
     }
 
-    /// The picture's right and up as directions of (abscissa, ordinate, tool axis).
+    /// Right and up of the picture as directions of (abscissa, ordinate, tool axis).
     fn axes(self) -> [Vec3; 2] {
         match self {
             Projection::Top => [Vec3::X, Vec3::Y],
@@ -55,7 +55,7 @@ impl Projection {
         }
     }
 
-    /// The direction towards who looks, in the work coordinate system.
+    /// Direction to the viewer, in the work coordinate system.
     fn towards(self, plane: Plane) -> Vec3 {
         let [right, up] = self.axes();
         let [a, o, w] = plane.basis();
@@ -63,7 +63,7 @@ impl Projection {
         a * local.x + o * local.y + w * local.z
     }
 
-    /// Where a point of the work coordinate system is seen.
+    /// Projection of a point of the work coordinate system.
     pub fn place(self, plane: Plane, p: Vec3) -> Vec2 {
         let [a, o, w] = plane.axes();
         let local = Vec3::new(p[a], p[o], p[w]);
@@ -71,12 +71,12 @@ impl Projection {
     }
 }
 
-/// What a line of the path is.
+/// Kind of a line of the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stroke {
     /// Approach, retract and return.
     Position,
-    /// Long links, the ways back among them.
+    /// Long links, and retracts at that feed.
     Link,
     /// A touch up to its nominal contact.
     Touch,
@@ -91,11 +91,11 @@ pub struct Line {
     pub to: Vec2,
     pub stroke: Stroke,
     pub rapid: bool,
-    /// Whether it is the way back from a touch.
+    /// Whether it is a retract.
     pub back: bool,
     /// Top side of the body that hides it.
     pub behind: Option<usize>,
-    /// Whether it is drawn pale: from the top it runs so high that nothing of the part is near it, or belongs to a cycle that is not active.
+    /// Whether it is drawn pale: seen from the top it is high above the part, or it belongs to a cycle that is not active.
     pub pale: bool,
     /// Index of the move in the path.
     pub index: usize,
@@ -103,89 +103,89 @@ pub struct Line {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct TouchShape {
-    /// The nominal contact on the surface.
+    /// Nominal contact on the surface.
     pub contact: Vec2,
-    /// The ball centre there.
+    /// Ball centre at that contact.
     pub ball: Vec2,
-    /// The ball centre at the trigger on the actual part.
+    /// Ball centre at the trigger on the actual part.
     pub trigger: Option<Vec2>,
-    /// Its number in its cycle, from 1.
+    /// Number in its cycle, from 1.
     pub number: usize,
-    /// The name of its cycle, at the first touch of each in a set-up.
+    /// Name of its cycle, at the first touch of each cycle in a set-up.
     pub named: Option<String>,
     /// Whether it is drawn pale: it belongs to a cycle that is not active.
     pub pale: bool,
     /// Direction away from the material, in which its number is placed.
     pub inward: Vec2,
-    /// Index of the move that makes it.
+    /// Index of its move.
     pub index: Option<usize>,
     /// Top side of the body that hides its ball.
     pub behind: Option<usize>,
 }
 
-/// The nominal distance between the two places of a relation.
+/// Nominal distance between the two positions of a relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Distance {
-    /// The name of the relation.
+    /// Name of the relation.
     pub name: String,
     pub ends: [Vec2; 2],
-    /// mm.
+    /// In mm.
     pub length: f64,
 }
 
 /// A dimension in the picture plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// The path of the job's field that says it.
+    /// Path of the job field with its value.
     pub field: &'static str,
-    /// Its ends on the part.
+    /// Ends on the part.
     pub ends: [Vec2; 2],
-    /// The side of its line.
+    /// Side of its line.
     pub aside: Vec2,
     /// Whether the other side is as good.
     pub either: bool,
-    /// Its length, mm.
+    /// Length, mm.
     pub length: f64,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
-    /// About how wide what it says is, pixels.
+    /// Approximate width of its text, pixels.
     pub wide: f64,
 }
 
-/// An angle in the picture plane, in its true size.
+/// An angle in the picture plane, in true size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawnAngle {
-    /// The path of the job's field that says it.
+    /// Path of the job field with its value.
     pub field: &'static str,
     /// Its vertex.
     pub at: Vec2,
     /// From the abscissa of the picture to its first side, and from there to its second, radians, counter-clockwise positive.
     pub turns: [f64; 2],
-    /// How far from its vertex the nearest touch is, mm.
+    /// Distance from its vertex to the nearest touch, mm.
     pub room: f64,
-    /// About how wide what it says is, pixels.
+    /// Approximate width of its text, pixels.
     pub wide: f64,
 }
 
-/// Everything that is drawn.
+/// Everything in a picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// The walls; the actual ones first, so that they lie behind.
+    /// Walls; the actual ones first, so that they are behind.
     pub walls: Vec<WallShape>,
-    /// Isometric, the top sides of what is seen whole.
+    /// Isometric: top sides of bodies drawn whole.
     pub tops: Vec<Top>,
-    /// Isometric, the faces of the nominal material around what lies inside the part, in the order in which they are drawn.
+    /// Isometric: faces of the nominal material around inner features, in drawing order.
     pub blocks: Vec<Block>,
-    /// The nominal material behind the walls that are seen edge-on.
+    /// Nominal material behind walls seen edge-on.
     pub material: Vec<Material>,
     /// The path.
     pub lines: Vec<Line>,
     pub touches: Vec<TouchShape>,
-    /// Where each move ends.
+    /// Ends of the moves.
     pub ends: Vec<Vec2>,
-    /// What else must be in sight: arcs beyond their ends.
+    /// Further points that must be visible: arcs beyond their ends.
     pub beyond: Vec<Vec2>,
-    /// Millimetres in a unit of the job or program, whose scale is drawn; `None` if a program does not say its units.
+    /// Millimetres in a unit of the job or program, for the scale bar; `None` if a program does not state its units.
     pub unit: Option<f64>,
     /// Radius of the ball, mm.
     pub radius: f64,
@@ -193,32 +193,31 @@ pub struct Scene {
     pub stylus: Vec<[Vec2; 4]>,
     /// The work origin.
     pub origin: Vec2,
-    /// Names of the axes and where they point in the picture.
+    /// Names of the axes and their directions in the picture.
     pub axes: [(&'static str, Vec2); 3],
-    /// The line the cycle is about: nominal, and as it really lies.
+    /// Centre line of the cycle: nominal and actual.
     pub centre_lines: Option<[[Vec2; 2]; 2]>,
     /// Lines of the relations of a set-up, on the nominal part.
     pub related: Vec<[Vec2; 2]>,
     /// Distances that relations measure.
     pub distances: Vec<Distance>,
-    /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
-    /// Only seen from the top.
+    /// Centre of the circle with spread touches, its radius (mm), and the angles of first touch and spread (radians). Only from the top.
     pub spread: Option<(Vec2, f64, f64, f64)>,
-    /// The move that meets the part where it must not, and where the ball is then: what comes after it is not reached.
+    /// Move that collides with the part, and ball centre there: later moves are not reached.
     pub collision: Option<(usize, Vec2)>,
-    /// The dimensions of the nominal part that are seen in their true length.
+    /// Dimensions of the nominal part that are visible in true length.
     pub dimensions: Vec<Drawn>,
-    /// The angles that are seen in their true size.
+    /// Angles that are visible in true size.
     pub angles: Vec<DrawnAngle>,
-    /// The origin of the nominal feature, and its first direction. Only seen from the top.
+    /// Origin of the nominal feature, and its first direction. Only from the top.
     pub turn: Option<(Vec2, Vec2)>,
-    /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
+    /// Origin of the actual feature, and its first direction: handles to move the part. Only from the top.
     pub handle: Option<(Vec2, Vec2)>,
-    /// Of how many cycles of a set-up it has the scenes.
+    /// Number of cycles of a set-up that were added.
     pub cycles: usize,
 }
 
-/// The dimensions that a view along an axis shows in their true length; one that it shows shorter would mislead.
+/// Dimensions that a view along an axis shows in true length; a shortened one would mislead.
 pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
     let seen = |d: Dimension| {
         let long = d.from.distance(d.to);
@@ -227,7 +226,7 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         if along.length() < long * 0.999 || long < 1e-6 {
             return None;
         }
-        // A side that this projection looks along is replaced by the one square to the dimension.
+        // A side along this projection is replaced by the one perpendicular to the dimension.
         let side = view.place(plane, d.aside);
         let size = side.length();
         let either = size <= 0.5;
@@ -249,7 +248,7 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
     dimensions(path).into_iter().filter_map(seen).collect()
 }
 
-/// The dimensions of a path where the part is seen at an angle: along the part, as an isometric drawing has them. What comes with the focus is left out.
+/// Dimensions of a path in an isometric view, along the part as in an isometric drawing. Those that appear with the focus are omitted.
 fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
     let seen = |d: Dimension| {
         let ends = [d.from, d.to].map(|p| view.place(plane, p));
@@ -257,7 +256,7 @@ fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
             (ends[1] - ends[0]).normalize_or(Vec2::X),
             view.place(plane, d.aside).normalize_or(Vec2::Y),
         );
-        // A line that stood almost along the dimension would be nowhere.
+        // A line almost along the dimension would have no offset.
         let aside = if along.perp_dot(side).abs() < 0.4 {
             along.perp()
         } else {
@@ -280,7 +279,7 @@ fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         .collect()
 }
 
-/// The angles of a path that a view along an axis shows in their true size.
+/// Angles of a path that a view along an axis shows in true size.
 pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAngle> {
     let seen = |angle: Angle| {
         let [first, second] = angle.sides.map(|side| view.place(plane, side));
@@ -302,7 +301,7 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
     angles(path).into_iter().filter_map(seen).collect()
 }
 
-/// Distance of a place from a segment.
+/// Distance of a position from a segment.
 fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let (ab, ap) = (b - a, p - a);
     let square = ab.length_squared();
@@ -314,9 +313,9 @@ fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     (ap - ab * t).length()
 }
 
-/// About how many pixels a name takes with the room around it: the picture is laid out where nothing can be measured, too.
+/// Approximate width of a name with its margin, pixels: pictures are also laid out where text cannot be measured.
 fn width(name: &str) -> f64 {
-    // Signs of Chinese are as wide as they are high.
+    // Chinese characters are as wide as high.
     name.chars()
         .map(|c| if c > '\u{1100}' { 13.5 } else { 8.2 })
         .sum::<f64>()
@@ -324,7 +323,7 @@ fn width(name: &str) -> f64 {
 }
 
 impl Scene {
-    /// The work origin and the axes in a plane, and nothing else.
+    /// Only the work origin and the axes in a plane.
     fn about(plane: Plane, view: Projection) -> Self {
         let spot = |p: Vec3| view.place(plane, p);
         let (basis, names) = (plane.basis(), plane.axes().map(|axis| AXIS_NAMES[axis]));
@@ -335,10 +334,10 @@ impl Scene {
         }
     }
 
-    /// Takes in the scene of a cycle of a set-up with this name, whose first move has this index; `pale` where it is not the one in hand. Its dimensions, its angles and its
-    /// handles come with the one in hand alone.
+    /// Adds the scene of a set-up's cycle with this name, whose first move has this index; `pale` if it is not active. Dimensions, angles and handles come with
+    /// the active cycle only.
     pub fn take(&mut self, own: Scene, name: &str, first_move: usize, pale: bool) {
-        // Top sides are known by their surfaces, of which no cycle has so many.
+        // Top sides are identified by their surfaces; no cycle has this many.
         const APART: usize = 1000;
         self.cycles += 1;
         let apart = |top: Option<usize>| top.map(|top| top + APART * self.cycles);
@@ -380,7 +379,7 @@ impl Scene {
         (self.turn, self.handle, self.centre_lines) = (own.turn, own.handle, own.centre_lines);
     }
 
-    /// Makes room for what is said of its dimensions and angles, by their fields' paths.
+    /// Reserves room for the texts of its dimensions and angles, by the paths of their fields.
     pub fn name(&mut self, names: &[(&'static str, String)]) {
         let dimensions = self
             .dimensions
@@ -398,7 +397,7 @@ impl Scene {
         }
     }
 
-    /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
+    /// Ball centre after a fraction of a move, 0 to 1. The search past a nominal contact does not belong to the move.
     pub fn ball(&self, index: usize, part: f64) -> Option<Vec2> {
         let pieces: Vec<&Line> = self
             .lines
@@ -417,7 +416,7 @@ impl Scene {
         self.ends.get(index).copied()
     }
 
-    /// The smallest and largest spot of everything that must be seen.
+    /// Smallest and largest point of everything that must be visible.
     pub fn bounds(&self) -> [Vec2; 2] {
         let balls = self.touches.iter().flat_map(|t| [t.contact, t.ball]);
         let ends = self
@@ -436,11 +435,11 @@ impl Scene {
             )
             .chain(self.beyond.iter().copied())
             .chain(self.related.iter().flatten().copied())
-            // In this order, since a place that is not known is no number.
+            // In this order, since an unknown position is NaN.
             .fold(start, |[low, high], place| {
                 [place.min(low), place.max(high)]
             });
-        // A cycle without a path has nothing to show but its origin.
+        // A cycle without a path has only its origin.
         if bounds[0].x.is_finite() {
             bounds
         } else {
@@ -448,8 +447,7 @@ impl Scene {
         }
     }
 
-    /// The move whose line is nearest to `at`, if one is within `reach` (both mm). Of lines that lie on each other a touch
-    /// wins over the way back.
+    /// The move whose line is closest to `at`, if one is within `reach` (both mm). Of coinciding lines a touch has priority over its retract.
     pub fn pick(&self, at: Vec2, reach: f64) -> Option<usize> {
         let rank = |stroke: Stroke| match stroke {
             Stroke::Touch => 0.0,

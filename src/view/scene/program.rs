@@ -1,4 +1,4 @@
-//! The scene of a program without a job: its moves, and nothing else.
+//! Scene of a program without a job: its moves.
 
 use std::f64::consts::TAU;
 
@@ -6,44 +6,44 @@ use super::{Line, Projection, Scene, Stroke, TouchShape};
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::path::{Arc, RAPID_RATE};
 
-/// The kinds of rapids and of probing moves.
+/// Kinds of rapids and of probing moves.
 const RAPID: u8 = 0;
 const PROBING: u8 = 2;
 
-/// The touches of a program with more of them have no numbers: these would cover the path.
+/// Programs with more touches have no numbers: these would cover the path.
 const MOST_NUMBERED: usize = 50;
 
-/// The moves of a program that nothing else is known of.
+/// Moves of a program without a job.
 #[derive(Clone, Copy, Debug)]
 pub struct Moves<'a> {
-    /// Where the first one begins; NaN is not known.
+    /// Start of the first move; NaN is unknown.
     pub start: [f64; 3],
-    /// Where each ends, three numbers a move; NaN is not known.
+    /// Ends, three numbers a move; NaN is unknown.
     pub to: &'a [f64],
-    /// What each is: 0 rapid, 1 at a feed, 2 probing.
+    /// Kinds: 0 rapid, 1 at a feed, 2 probing.
     pub kind: &'a [u8],
-    /// The feed of each, units a minute; NaN is not known.
+    /// Feeds, units per minute; NaN is unknown.
     pub feed: &'a [f64],
-    /// The arcs: index of the move, centre, degrees, and their plane: 17, 18 or 19.
+    /// Arcs: index of the move, centre, degrees, and their plane: 17, 18 or 19.
     pub arcs: &'a [[f64; 6]],
-    /// Where probing moves met something: index of the move, and the place. The next move begins there.
+    /// Contacts of probing moves: index of the move, and position. The next move begins there.
     pub contacts: &'a [[f64; 4]],
-    /// Where moves begin that do not begin where the one before ended.
+    /// Starts of moves that do not begin at the end of the previous one.
     pub resumes: &'a [[f64; 4]],
-    /// The plane that it is seen in.
+    /// Plane of the view.
     pub plane: Plane,
-    /// Millimetres in a unit of the program, where it says its units.
+    /// Millimetres in a unit of the program, if it states its units.
     pub scale: Option<f64>,
 }
 
-/// A move of a program, mm; NaN is not known.
+/// A move of a program, mm; NaN is unknown.
 struct Way {
     from: Vec3,
-    /// Where it ends if it makes no contact.
+    /// End without a contact.
     end: Vec3,
-    /// Where it made contact.
+    /// Contact, if there was one.
     contact: Option<Vec3>,
-    /// Its arc, and the axis of that.
+    /// Arc, and its axis.
     arc: Option<(Arc, Vec3)>,
 }
 
@@ -81,7 +81,7 @@ impl Moves<'_> {
         })
     }
 
-    /// How long each move takes, seconds: a rapid at the catalog's `rapidRate`. NaN if its feed, its length or the units are not known.
+    /// Time of each move, seconds: a rapid at the catalog's `rapidRate`. NaN if its feed, its length or the units are unknown.
     pub fn seconds(&self) -> Vec<f64> {
         let scale = self.scale.unwrap_or(f64::NAN);
         let seconds = |((way, kind), feed): ((Way, &u8), &f64)| {
@@ -107,7 +107,7 @@ impl Moves<'_> {
     }
 }
 
-/// The scene of a program's moves: lines, and the numbers of its probing moves where these end. A move to or from a place that is not known is not seen.
+/// Scene of a program's moves: lines, and the numbers of its probing moves at their ends. A move from or to an unknown position is not drawn.
 pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let spot = |p: Vec3| view.place(moves.plane, p);
     let mut scene = Scene {
@@ -116,7 +116,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     };
     scene.lines.reserve(moves.kind.len());
     scene.ends.reserve(moves.kind.len());
-    // Sixty to a circle; fewer where there are very many.
+    // Sixty pieces to a circle; fewer if there are very many arcs.
     let most = (200_000 / moves.arcs.len().max(1)).clamp(3, 60);
     let numbered = moves.kind.iter().filter(|kind| **kind == PROBING).count() <= MOST_NUMBERED;
     let mut number = 0;
@@ -176,7 +176,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     scene
 }
 
-/// The ends of the straight pieces of a move: an arc about its axis, or a helix, of which a whole turn has at most so many.
+/// Ends of the straight pieces of a move: an arc about its axis, or a helix, with at most `most` pieces to a turn.
 fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Vec3> {
     match arc {
         None => vec![end],
@@ -188,7 +188,7 @@ fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Ve
 mod tests {
     use super::*;
 
-    /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
+    /// Half a circle of one inch, as a helix: through its top, rising. Unknown parts are not drawn.
     #[test]
     fn a_program_in_inch_is_seen_in_millimetres() {
         let to = [
@@ -251,7 +251,7 @@ mod tests {
         );
     }
 
-    /// A touch is drawn to where it would search; the way back begins where it met something. The first move begins where the program is said to start.
+    /// A touch is drawn to the end of its search; the retract begins at its contact. The first move begins at the stated start.
     #[test]
     fn a_move_begins_where_the_touch_before_it_ended() {
         let to = [0.0, 0.0, 0.0, 10.0, 0.0, 0.0, 0.0, 4.0, 0.0];

@@ -61,7 +61,7 @@ impl Scene {
     }
 }
 
-/// The outline of an opening seen against the tool axis, within the stock.
+/// Outline of an opening against the tool axis, within the stock.
 fn in_plan(opening: &Opening, stock: &Stock, plane: Plane) -> Vec<Vec2> {
     let spot = |p: Vec3| Projection::Top.place(plane, p);
     match &opening.sides {
@@ -87,7 +87,7 @@ fn rectangle(low: Vec2, high: Vec2) -> Vec<Vec2> {
     ]
 }
 
-/// The corners of the side of a stock that faces along an axis, or against it.
+/// Corners of the side of a stock that faces along an axis, or against it.
 fn side(stock: &Stock, axis: usize, along: bool) -> [Vec3; 4] {
     let at = if along { stock.high } else { stock.low }[axis];
     let [b, c] = [(axis + 1) % 3, (axis + 2) % 3];

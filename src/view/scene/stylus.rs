@@ -1,11 +1,11 @@
-//! The stylus above its ball, as it is seen from the side.
+//! The stylus above its ball, seen from the side.
 
 use crate::geom::{Plane, Vec2};
 use crate::part::Shape;
 use crate::view::scene::Projection;
 
-/// The outlines of stylus and probe body about the ball centre, mm: as far as they are known, and nothing from the top, where they would hide the
-/// ball. The body, which has no end here, is drawn as high as it is wide.
+/// Outlines of stylus and probe body about the ball centre, mm, as far as they are known. Empty from the top, where they would hide the ball. The body, which
+/// has no end here, is drawn as high as wide.
 pub fn outlines(shape: &Shape, ball: f64, plane: Plane, view: Projection) -> Vec<[Vec2; 4]> {
     let up = view.place(plane, plane.basis()[2]).y;
     let Some(length) = shape.length.filter(|_| view != Projection::Top) else {
@@ -17,7 +17,7 @@ pub fn outlines(shape: &Shape, ball: f64, plane: Plane, view: Projection) -> Vec
             .map(|[x, height]| Vec2::new(x, height * up))
     };
     let shank = shape.shank.map(|shank| {
-        // From where it comes out of the ball.
+        // From its exit out of the ball.
         let out = (ball * ball - shank * shank / 4.0).max(0.0).sqrt();
         outline(shank, [out.min(length), length])
     });

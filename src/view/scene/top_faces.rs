@@ -8,22 +8,22 @@ use crate::view::walls::{WallShape, strips};
 /// A top side, isometric.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Top {
-    /// The first of the surfaces below it.
+    /// First of the surfaces below it.
     pub of: usize,
-    /// Its corners, in order.
+    /// Corners in order.
     pub corners: Vec<Vec2>,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub enum Face<'a> {
-    /// Here belong the lines and the touches behind what has this top side: it hides of them what it hides.
+    /// Position of the lines and touches behind this top side, which hides them.
     Behind(usize),
     Wall(&'a WallShape),
     Top(&'a Top),
 }
 
-/// Of what is seen whole, and so has a top side, the first surface: of a stud itself, of flat walls the first of a body that has two or more, and
-/// a top side between them.
+/// First surface of a body that is drawn whole, with a top side: a stud itself, or the first wall of a body with at least two walls and a top side between
+/// them.
 pub(super) fn topped(path: &Path, k: usize) -> Option<usize> {
     match &path.surfaces[k] {
         Surface::Round(round) => (!round.hole).then_some(k),
@@ -41,7 +41,7 @@ pub(super) fn is_upright(wall: &Wall, up: Vec3) -> bool {
     wall.normal.dot(up).abs() < 1e-6
 }
 
-/// The upright walls of a body.
+/// Upright walls of a body.
 fn upright(path: &Path, body: usize) -> impl Iterator<Item = (usize, &Wall)> {
     path.surfaces
         .iter()
@@ -54,13 +54,13 @@ fn upright(path: &Path, body: usize) -> impl Iterator<Item = (usize, &Wall)> {
         })
 }
 
-/// The corners of the top side between the walls of a body, in order: of two walls that meet, the parallelogram that they span.
+/// Corners of the top side between the walls of a body, in order: for two walls that meet, the parallelogram that they span.
 #[inline(never)]
 fn top_of(path: &Path, body: usize) -> Vec<Vec3> {
     let (up, u) = (path.frame.w, path.frame.u);
     let mut corners: Vec<Vec3> = Vec::new();
     for (_, wall) in upright(path, body) {
-        // One without a top reaches as far above its point as below.
+        // A wall without a top extends as far above its point as below.
         let raised = if wall.has_top {
             Vec3::ZERO
         } else {
@@ -70,7 +70,7 @@ fn top_of(path: &Path, body: usize) -> Vec<Vec3> {
             let end = wall.point + wall.along * at + raised;
             match corners.iter().position(|other| other.distance(end) < 1e-6) {
                 None => corners.push(end),
-                // Where two walls alone meet, the fourth corner is across.
+                // If only two walls meet, the fourth corner is opposite.
                 Some(meet) => corners.rotate_left(meet),
             }
         }
@@ -81,7 +81,7 @@ fn top_of(path: &Path, body: usize) -> Vec<Vec3> {
     in_order(corners, up.cross(u), u)
 }
 
-/// The top sides of what is seen whole. `spot` is where a place is seen.
+/// Top sides of bodies that are drawn whole. `spot` projects a position.
 pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
     let whole = |of: usize| {
         let around: Vec<Vec3> = match &path.surfaces[of] {
@@ -106,7 +106,7 @@ pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
         .collect()
 }
 
-/// Where a body is broken off: from the end of one of its walls to the end of another, as walls of it.
+/// Breaks of a body, from the end of one of its walls to the end of another, as walls of it.
 #[inline(never)]
 pub(super) fn breaks(path: &Path, of: usize) -> Vec<Wall> {
     let Surface::Flat(first) = &path.surfaces[of] else {
@@ -140,7 +140,7 @@ pub(super) fn breaks(path: &Path, of: usize) -> Vec<Wall> {
     (0..corners.len()).filter_map(side).collect()
 }
 
-/// The corners of a convex polygon, in order about its middle.
+/// Corners of a convex polygon, in order about its middle.
 fn in_order(corners: Vec<Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
     let middle =
         corners.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / corners.len() as f64;
@@ -155,7 +155,7 @@ fn in_order(corners: Vec<Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
     around
 }
 
-/// The far sides of what is seen whole, each as a place on it, the way out, and the first surface of what it belongs to.
+/// Far sides of bodies that are drawn whole, each as a point, the outward direction, and the first surface of its body.
 #[derive(Default)]
 pub(super) struct Backs(Vec<(Vec3, Vec3, usize)>);
 
@@ -179,7 +179,7 @@ impl Backs {
         Backs(backs)
     }
 
-    /// The bodies in front of a line: one that lies wholly beyond a far side hides nothing of it.
+    /// Body in front of a line: one wholly beyond a far side hides nothing of it.
     pub(super) fn before(&self, ends: [Vec3; 2]) -> Option<usize> {
         let beyond = |(point, out, _): &&(Vec3, Vec3, usize)| {
             ends.iter().all(|at| (*at - *point).dot(*out) > -1e-6)
@@ -188,7 +188,7 @@ impl Backs {
     }
 }
 
-/// Whether two faces are strips of one round wall, and drawn in one.
+/// Whether two faces are strips of one round wall, to be drawn at once.
 pub fn together(one: &Face<'_>, other: &Face<'_>) -> bool {
     match (one, other) {
         (Face::Wall(a), Face::Wall(b)) => {
@@ -199,7 +199,7 @@ pub fn together(one: &Face<'_>, other: &Face<'_>) -> bool {
 }
 
 impl Scene {
-    /// What is drawn of walls and top sides, in this order: each top side after the walls below it, and the virtual part above all of them.
+    /// Walls and top sides in drawing order: each top side after the walls below it, and the virtual part above everything.
     pub fn faces(&self, deviates: bool) -> Vec<Face<'_>> {
         let above = |wall: &WallShape| wall.actual && !self.tops.is_empty();
         let after = |top: &Top| self.walls.iter().rposition(|wall| wall.top == Some(top.of));

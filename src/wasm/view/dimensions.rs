@@ -1,4 +1,4 @@
-//! The dimensions of a picture: their views, their positions, and the text at a pixel.
+//! Dimensions of a picture: their views, their positions, and the text at a pixel.
 
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
@@ -15,8 +15,8 @@ use crate::wasm::Last;
 
 #[wasm_bindgen]
 impl View {
-    /// The view that shows a field's dimension in true length, or the position, height or turn that it gives: the present view where that does;
-    /// nothing for any other field.
+    /// View that shows a field's dimension in true length, or the position, height or rotation that it gives: the current view if it does; `undefined` for any
+    /// other field.
     #[wasm_bindgen(js_name = viewOf)]
     pub fn view_of(&self, field: &str) -> Option<String> {
         let planned = self.held()?.last.planned.in_hand(self.hand);
@@ -31,7 +31,7 @@ impl View {
         found.map(str::to_owned)
     }
 
-    /// The path of the field whose dimension or angle is written at a pixel.
+    /// Path of the field whose dimension or angle is written at a pixel.
     #[wasm_bindgen(js_name = dimensionAt)]
     pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
@@ -52,7 +52,7 @@ impl View {
         dimension.or_else(angle).map(str::to_owned)
     }
 
-    /// The lines of the dimensions that are drawn: a list each, of its field's path and the pixels of its two ends, `[field, x, y, x, y]`.
+    /// Lines of the drawn dimensions: for each a list of the path of its field and the pixels of its ends, `[field, x, y, x, y]`.
     #[wasm_bindgen(js_name = dimensionLines)]
     pub fn dimension_lines(&self) -> Array {
         self.shown
@@ -60,8 +60,8 @@ impl View {
             .map_or_else(Array::new, |shown| self.lines_of(&shown.scene))
     }
 
-    /// Grips an end, 0 or 1, of the line of a field's dimension at a pixel; the coded job is the one that is shown. False where no drag moves it:
-    /// of some dimensions only one end moves.
+    /// Grips an end, 0 or 1, of a dimension line at a pixel; the encoded job is the shown one. False if no drag moves it: of some dimensions only one end
+    /// moves.
     #[wasm_bindgen(js_name = gripEndCoded)]
     pub fn grip_end(
         &mut self,
@@ -76,7 +76,7 @@ impl View {
         self.end.is_some()
     }
 
-    /// The value that the field of the gripped dimension has with its end under a pixel, as exact as a pixel, in the job's units.
+    /// Value of the gripped dimension's field with the end under a pixel, as exact as a pixel, in the job's units.
     #[wasm_bindgen(js_name = dragEnd)]
     pub fn drag_end(&self, x: f64, y: f64) -> Option<f64> {
         let End { field, at, slope } = self.end.as_ref()?;
@@ -85,19 +85,19 @@ impl View {
     }
 }
 
-/// The end of a dimension's line that is gripped.
+/// The gripped end of a dimension line.
 #[derive(Debug)]
 pub(super) struct End {
     field: NumberField,
-    /// Where the pointer gripped it.
+    /// Pixel at which it was gripped.
     at: Vec2,
-    /// How it moves as the value grows, pixels a unit.
+    /// Movement of the end for a growing value, pixels per unit.
     slope: Vec2,
 }
 
 impl View {
-    /// The end of a line, and how it moves: the job itself knows how its dimensions hang together, so it is planned with a value a little larger,
-    /// or smaller where that has errors.
+    /// The end of a line, and its movement: the job itself determines how its dimensions depend on each other, so it is planned with a value a little larger,
+    /// or smaller if that has errors.
     fn end_of(&self, job: &Value, path: &str, end: usize, at: Vec2) -> Option<End> {
         let field = NumberField::of(job, path, self.hand)?;
         let line = |scene: &Scene| {
@@ -120,7 +120,7 @@ impl View {
             Some((line(&other.scene)?[end] - now[end]) / change)
         };
         let moved = moved(field.little()).or_else(|| moved(-field.little()))?;
-        // Beside its own direction a line only makes room for others.
+        // Movement across its own direction only makes room for other lines.
         let slope = moved.project_onto(now[1] - now[0]);
         (slope.length() > 0.05).then_some(End { field, at, slope })
     }

@@ -1,4 +1,4 @@
-//! The handles of a picture: where they are, and what they say when they are dragged.
+//! Handles of a picture: their positions, and the values that a drag gives.
 
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
@@ -11,7 +11,8 @@ use crate::wasm::set;
 
 #[wasm_bindgen]
 impl View {
-    /// The handle within `reach` pixels of a place, 14 unless it is given: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
+    /// The handle within `reach` pixels of a position (default 14): `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or
+    /// `undefined`.
     #[wasm_bindgen(js_name = handleAt)]
     pub fn handle_at(&self, x: f64, y: f64, reach: Option<f64>) -> Option<String> {
         let near = |at: Vec2| at.distance(Vec2::new(x, y)) <= reach.unwrap_or(14.0);
@@ -21,7 +22,7 @@ impl View {
             .map(|(handle, _)| handle.to_owned())
     }
 
-    /// The pixel of a handle, `[x, y]`: where it was gripped beside it, it stays gripped beside it.
+    /// Pixel of a handle, `[x, y]`: an offset at gripping is kept while dragging.
     #[wasm_bindgen(js_name = handleSpot)]
     pub fn handle_spot(&self, handle: &str) -> Option<Vec<f64>> {
         self.handles()
@@ -30,7 +31,7 @@ impl View {
             .map(|(_, at)| at.to_array().to_vec())
     }
 
-    /// The path of the job's field that a `start` or `sweep` handle sets.
+    /// Path of the job field that a `start` or `sweep` handle sets.
     #[wasm_bindgen(js_name = handleField)]
     pub fn handle_field(&self, handle: &str) -> Option<String> {
         let spread = self
@@ -50,7 +51,7 @@ impl View {
         }
     }
 
-    /// The angle in whole degrees that a `start` or `sweep` handle says at a pixel. A spread keeps its sense.
+    /// Angle in whole degrees for a `start` or `sweep` handle at a pixel. A spread keeps its sense.
     #[wasm_bindgen(js_name = dragAngle)]
     pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
         let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
@@ -69,8 +70,8 @@ impl View {
         })
     }
 
-    /// Where the virtual part lies if a handle is dragged to a pixel: `{ offset, rotation }` in the job's units. Turning
-    /// keeps the feature's own origin where it is.
+    /// Displacement of the virtual part for a handle at a pixel: `{ offset, rotation }` in the job's units. A rotation keeps the position of the feature's
+    /// origin.
     #[wasm_bindgen(js_name = dragPart)]
     pub fn drag_part(&self, handle: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let Some(held) = self.held() else {
@@ -108,7 +109,7 @@ impl View {
 }
 
 impl View {
-    /// The handles and their pixels, those above others first.
+    /// Handles and their pixels, upper ones first.
     fn handles(&self) -> Vec<(&'static str, Vec2)> {
         let mut handles = Vec::new();
         let Some(Shown { scene, .. }) = self.shown.as_ref().filter(|_| !self.painter.still) else {

@@ -25,43 +25,43 @@ use crate::wasm::Last;
 #[derive(Debug)]
 pub struct View {
     painter: Painter,
-    /// Where the move that is pointed at is drawn, where it has a canvas of its own.
+    /// Canvas of its own for the highlighted move, if there is one.
     over: Option<Painter>,
     projection: Projection,
     camera: Camera,
     shown: Option<Shown>,
     highlight: Option<usize>,
-    /// How much of the highlit move is done, 0 to 1.
+    /// Fraction of the highlighted move that is done, 0 to 1.
     part: f64,
-    /// The path of the field that has the focus.
+    /// Path of the focused field.
     field: Option<String>,
-    /// How many times as large deviations are drawn.
+    /// Magnification of deviations.
     magnified: f64,
-    /// What a machine measured, as text.
+    /// Values measured on a machine, as text.
     measured_text: String,
-    /// The ball centres of it that this job has, each with its touch, in the job's units.
+    /// Measured ball centres of this job, each with its touch, in the job's units.
     measured: Vec<(usize, Vec3)>,
     /// Labels of dimensions in another language, by the paths of their fields.
     labels: Vec<(String, String)>,
     comma: bool,
     /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
     moved: bool,
-    /// Whether the picture must stay where it is, since something in it is being dragged.
+    /// Whether the picture must stay in place, since something in it is dragged.
     held: bool,
-    /// The end of a dimension's line that is dragged.
+    /// The dragged end of a dimension line.
     end: Option<dimensions::End>,
-    /// Which cycle of a set-up is in hand, by its place in the list.
+    /// Index of the active cycle of a set-up.
     hand: usize,
-    /// What `render` draws; `None` if every change is drawn at once.
+    /// Pending changes for `render`; `None` if every change is drawn immediately.
     due: Option<Cell<Due>>,
 }
 
-/// What has changed since the picture was drawn.
+/// Changes since the picture was drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Due {
     #[default]
     Nothing,
-    /// The move that is pointed at, which is drawn on a canvas of its own.
+    /// The highlighted move, which is drawn on its own canvas.
     Lit,
     All,
 }
@@ -73,7 +73,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// Whether the part lies off, or has other sizes.
+    /// Whether the part is displaced, or has other sizes.
     fn deviates(&self) -> bool {
         match &self.content {
             Content::Job(held) => held.deviates,
@@ -82,7 +82,7 @@ impl Shown {
     }
 }
 
-/// The moves of a program, as its picture needs them.
+/// Moves of a program for its picture.
 fn moves_of(path: &Toolpath) -> Moves<'_> {
     Moves {
         start: path.start,
@@ -104,15 +104,15 @@ enum Content {
     Program(Rc<Toolpath>, Option<Feature>),
 }
 
-/// The job that is shown.
+/// The shown job.
 #[derive(Debug)]
 struct Held {
     last: Rc<Last>,
     deviates: bool,
     plane: Plane,
-    /// What each dimension is called, by its field's path.
+    /// Names of the dimensions, by the paths of their fields.
     names: Vec<(&'static str, String)>,
-    /// The work origin's name.
+    /// Name of the work origin.
     offset_name: String,
 }
 
@@ -150,8 +150,7 @@ impl View {
         })
     }
 
-    /// A transparent canvas that lies over the other and is as large: the move that is pointed at is drawn there, and the picture beneath is not drawn
-    /// again.
+    /// Adds a transparent canvas of the same size above the other one: the highlighted move is drawn there, and the picture beneath is not redrawn.
     #[wasm_bindgen(js_name = setOverlay)]
     pub fn set_overlay(&mut self, canvas: web_sys::HtmlCanvasElement) {
         self.over = Painter::new(canvas);
@@ -162,7 +161,7 @@ impl View {
         self.draw();
     }
 
-    /// Whether there are handles: nothing can be gripped on paper, and the virtual part's come with its group of the form.
+    /// Shows or hides the handles: nothing can be gripped on paper, and the virtual part's handles come with its group in the form.
     pub fn grips(&mut self, on: bool) {
         if self.painter.still == on {
             self.painter.still = !on;
@@ -170,12 +169,12 @@ impl View {
         }
     }
 
-    /// From here on changes are drawn by `render`, all at once, and not one by one.
+    /// Collects changes until `render` instead of drawing each immediately.
     pub fn defer(&mut self) {
         self.due.get_or_insert_default();
     }
 
-    /// Draws what has changed since the last time.
+    /// Draws the changes since the last call.
     pub fn render(&self) {
         match self
             .due
@@ -188,7 +187,7 @@ impl View {
         }
     }
 
-    /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
+    /// Sets the size of the canvas in CSS pixels; `ratio` is the number of device pixels in one.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
         self.camera.size = Vec2::new(width, height);
         let size = self.camera.size;
@@ -212,8 +211,8 @@ impl View {
         self.draw();
     }
 
-    /// What the dimensions of the next job are called, by the paths of their fields; what is not named has the form's English label. `comma` is whether
-    /// numbers have a decimal comma: those of the next job, and the scale's.
+    /// Sets the names of the next job's dimensions, by the paths of their fields; others have the form's English label. `comma`: whether numbers have a decimal
+    /// comma, those of the next job and of the scale.
     #[wasm_bindgen(js_name = setLabels)]
     pub fn set_labels(&mut self, fields: Vec<String>, labels: Vec<String>, comma: bool) {
         self.labels = fields.into_iter().zip(labels).collect();
@@ -222,13 +221,13 @@ impl View {
         }
     }
 
-    /// Which cycle of the next set-up is in hand, by its place in the list: its dimensions are drawn, and the others are pale.
+    /// Sets the active cycle of the next set-up by its index: its dimensions are drawn, and the other cycles are pale.
     #[wasm_bindgen(js_name = setHand)]
     pub fn set_hand(&mut self, index: usize) {
         self.hand = index;
     }
 
-    /// Shows a coded job. One that has errors leaves the picture as it is and gives `false`.
+    /// Shows an encoded job. One with errors leaves the picture unchanged and returns `false`.
     #[wasm_bindgen(js_name = showCoded)]
     pub fn show(&mut self, codes: &[f64], text: &str) -> bool {
         let Some(last) = crate::wasm::planned(codes, text) else {
@@ -255,7 +254,7 @@ impl View {
         self.show(codes, text)
     }
 
-    /// Looks from `top`, `front`, `side` or `isometric`.
+    /// Sets the view: `top`, `front`, `side` or `isometric`.
     pub fn look(&mut self, from: &str) {
         let Some(projection) = Projection::named(from) else {
             return;
@@ -265,7 +264,7 @@ impl View {
         self.fit();
     }
 
-    /// Draws the virtual part's deviations, and measured points, so many times as large. The picture stays where it is.
+    /// Magnifies the virtual part's deviations and the measured points. The picture stays in place.
     pub fn magnify(&mut self, times: f64) {
         let times = if times.is_finite() {
             crate::num::within(times, 1.0, 1000.0)
@@ -297,13 +296,13 @@ impl View {
         self.moved = false;
     }
 
-    /// While pinned, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
-    /// pointer. Let go, it is not fitted again until the next job or size.
+    /// While pinned, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the pointer. Afterwards it is not
+    /// fitted again until the next job or size.
     pub fn pin(&mut self, on: bool) {
         self.held = on;
     }
 
-    /// Closer by `factor` about a pixel.
+    /// Zooms in by `factor` about a pixel.
     pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
         if factor.is_finite() && factor > 0.0 {
             self.camera.zoom(factor, Vec2::new(x, y));
@@ -327,7 +326,7 @@ impl View {
             .pick(self.camera.spot(Vec2::new(x, y)), 8.0 / self.camera.scale)
     }
 
-    /// Lights up a move, or none.
+    /// Highlights a move, or none.
     pub fn highlight(&mut self, index: Option<usize>) {
         if self.highlight != index || self.part != 1.0 {
             self.highlight = index;
@@ -336,7 +335,7 @@ impl View {
         }
     }
 
-    /// Lights up a move that is done to this fraction, 0 to 1: the ball is on its way.
+    /// Highlights a move with the ball at this fraction of it, 0 to 1.
     pub fn play(&mut self, index: usize, part: f64) {
         self.highlight = Some(index);
         self.part = if part.is_finite() {
@@ -347,7 +346,7 @@ impl View {
         self.light();
     }
 
-    /// Whether the picture has so many lines that feeds are drawn without dashes.
+    /// Whether the picture has so many lines that feeds are drawn solid.
     #[wasm_bindgen(js_name = isLong)]
     pub fn is_long(&self) -> bool {
         self.shown
@@ -355,7 +354,7 @@ impl View {
             .is_some_and(|shown| is_long(&shown.scene))
     }
 
-    /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Of a job their sum is the plan's time; of a program NaN if not known.
+    /// Time of each move, seconds; rapids at the catalog's `rapidRate`. Their sum is the plan's time for a job; for a program NaN if unknown.
     pub fn times(&self) -> Vec<f64> {
         match self.shown.as_ref().map(|shown| &shown.content) {
             Some(Content::Job(held)) => job::minutes(&held.last.planned)
@@ -367,7 +366,7 @@ impl View {
         }
     }
 
-    /// Lights up the dimension of a field, by its path in the job, or none. `*` draws every height, and lights none.
+    /// Highlights the dimension of a field, by its path in the job, or none. `*` draws every height, and highlights none.
     pub fn focus(&mut self, field: Option<String>) {
         if self.field != field {
             self.field = field;
@@ -375,8 +374,8 @@ impl View {
         }
     }
 
-    /// Draws the ball centres that a machine measured of the job that is shown: a text in any form that `evaluate` reads. What cannot be read, results
-    /// without points, and an empty text, draw none.
+    /// Draws ball centres that a machine measured for the shown job: a text in any form that `evaluate` reads. An unreadable text, results without points, and
+    /// an empty text draw none.
     pub fn measure(&mut self, text: &str) {
         if self.measured_text != text {
             text.clone_into(&mut self.measured_text);
@@ -385,7 +384,7 @@ impl View {
         }
     }
 
-    /// The view that a click on the drawn axes asks for: along the axis at the pixel, `isometric` beside them; nothing elsewhere.
+    /// View for a click on the drawn axes: along the axis at the pixel, `isometric` beside them; `undefined` elsewhere.
     #[wasm_bindgen(js_name = axisAt)]
     pub fn axis_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
@@ -394,8 +393,7 @@ impl View {
             .map(str::to_owned)
     }
 
-    /// The job that is shown as an SVG, looked at from the same side, with the names of its dimensions as they are shown; deviations as large as they
-    /// are. `undefined` if no job is shown.
+    /// The shown job as an SVG from the current view, with the shown names of its dimensions; deviations are not magnified. `undefined` if no job is shown.
     pub fn svg(&self, title: &str) -> Option<String> {
         let held = self.held()?;
         let picture = held
@@ -414,7 +412,7 @@ impl View {
 }
 
 impl View {
-    /// Shows the moves of a program, and the part that it is run on.
+    /// Shows the moves of a program, and the part of its run.
     fn show_moves(&mut self, path: Toolpath, part: Option<Feature>) {
         // A picture has one system.
         self.shown = Some(self.of_program(Rc::new(path.in_one_system()), part));
@@ -429,8 +427,7 @@ impl View {
         }
     }
 
-    /// Whether the current camera still frames the scene well: complete, with margin, centred and not too small. What is edited then
-    /// keeps its scale.
+    /// Whether the current camera still frames the scene well: complete, with margin, centred and not too small. During edits it then keeps its scale.
     fn suits(&self) -> bool {
         let Some(shown) = &self.shown else {
             return false;
@@ -454,7 +451,7 @@ impl View {
             && off < size.min_element() * 0.2
     }
 
-    /// The scene again, of what is shown.
+    /// Rebuilds the scene of the shown content.
     fn rebuild(&mut self) {
         self.shown = self.shown.take().map(|shown| match shown.content {
             Content::Job(held) => self.build(held.last),
@@ -512,7 +509,7 @@ impl View {
         }
     }
 
-    /// The job that is shown, where it is one.
+    /// The shown job, if there is one.
     fn held(&self) -> Option<&Held> {
         match &self.shown.as_ref()?.content {
             Content::Job(held) => Some(held),
@@ -520,7 +517,7 @@ impl View {
         }
     }
 
-    /// Reads what was measured for the job that is shown.
+    /// Reads the measured values for the shown job.
     fn read_measured(&mut self) {
         let held = self
             .held()
@@ -537,7 +534,7 @@ impl View {
         }
     }
 
-    /// Draws the move that is pointed at: on its own canvas, or with everything else.
+    /// Draws the highlighted move: on its own canvas, or with everything else.
     fn light(&self) {
         match &self.due {
             _ if self.over.is_none() => self.draw(),
@@ -550,7 +547,7 @@ impl View {
     fn paint_all(&self) {
         if let Some(shown) = &self.shown {
             let held = self.held();
-            // Each from where its touch should have met the part.
+            // Each from the position at which its touch should have triggered.
             let seen = |held: &Held, (k, p): &(usize, Vec3)| {
                 let real = self
                     .projection

@@ -1,4 +1,4 @@
-//! Pictures of programs and of LENTOAX: the module that a first visit loads is built without them.
+//! Pictures of programs and of LENTOAX, which a first visit does not need.
 
 use js_sys::{Float64Array, Reflect, Uint8Array};
 use wasm_bindgen::JsCast;
@@ -24,8 +24,8 @@ impl View {
         self.show_moves(read_program(text, None), None);
     }
 
-    /// Shows the moves of a run, an object as `runProgram` gives it, on the part of what is known, coded. What is no run, or what is known wrongly, leaves the
-    /// picture as it is.
+    /// Shows the moves of a run, an object as returned by `runProgram`, on the part of its encoded inputs. An invalid run, or invalid inputs, leave the picture
+    /// unchanged.
     #[wasm_bindgen(js_name = showRunCoded)]
     pub fn show_run(&mut self, run: &JsValue, codes: &[f64], known: &str) {
         let value = decoded(codes, known);
@@ -35,8 +35,8 @@ impl View {
         }
     }
 
-    /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece
-    /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
+    /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and the base axes if the workpiece system is rotated. An
+    /// invalid query leaves the picture unchanged and returns `false`.
     #[wasm_bindgen(js_name = showLentoaxCoded)]
     pub fn show_lentoax(&mut self, codes: &[f64], text: &str) -> bool {
         let Ok(query) = job::lentoax_query(&decoded(codes, text)) else {
@@ -56,7 +56,7 @@ impl View {
     }
 }
 
-/// The path of a run by its columns; `None` where they do not belong together.
+/// The path of a run from its columns; `None` if they do not match.
 fn path_of(run: &JsValue) -> Option<Toolpath> {
     let get = |name: &str| Reflect::get(run, &JsValue::from_str(name)).ok();
     let word = |name: &str| get(name).and_then(|word| word.as_string());
@@ -78,7 +78,7 @@ fn path_of(run: &JsValue) -> Option<Toolpath> {
     (path.to.len() == 3 * count && path.feed.len() == count).then_some(path)
 }
 
-/// Numbers in rows of so many.
+/// Splits numbers into rows of this length.
 fn rows<const N: usize>(numbers: &[f64]) -> Vec<[f64; N]> {
     let (rows, _) = numbers.as_chunks::<N>();
     rows.to_vec()

@@ -1,7 +1,7 @@
-//! What moves the coordinate system in Klartext: presets, datum shifts, rotations.
+//! Changes of the coordinate system in Klartext: presets, datum shifts, rotations.
 //!
-//! A shift is counted from the preset, and a rotation turns about the shifted datum. Mirrors, scales, tilted planes, datum tables, and a shift that follows a
-//! rotation are not followed: the origin is not known then.
+//! A shift counts from the preset, and a rotation is about the shifted datum. Mirrors, scales, tilted planes, datum tables, and a shift after a rotation are
+//! not modelled: then the origin is unknown.
 
 use crate::control::heidenhain::read::transforms;
 use crate::import::toolpath::frames::{Frames, Register};

@@ -1,7 +1,7 @@
-//! HEIDENHAIN Klartext: its moves, its Q parameters, labels and jumps. Cycles are the control's own: they are named, and where they end is not known.
+//! HEIDENHAIN Klartext: moves, Q parameters, labels and jumps. Native cycles are reported by name, and their ends are unknown unless their moves are known.
 //!
-//! Blocks of path functions, parameters and labels are as the control's manual has them. Not followed, and reported: rounded corners and chamfers,
-//! approach and departure, tangential arcs, cycles, datum shifts and tilted planes, other programs.
+//! Blocks of path functions, parameters and labels follow the control's manual. Not followed, but reported: rounded corners and chamfers, approach and
+//! departure, tangential arcs, cycles, tilted planes, other programs.
 
 mod datum;
 mod path;
@@ -28,7 +28,7 @@ struct Line {
     text: String,
 }
 
-/// What follows a block.
+/// Continuation after a block.
 enum Next {
     Below,
     At(usize),
@@ -38,9 +38,9 @@ enum Next {
 /// Runs a Klartext program.
 pub(super) struct Klartext {
     lines: Vec<Line>,
-    /// Its places are those of blocks: a number from 0, and the line that the block begins in.
+    /// Its positions are blocks: a number from 0, and the line in which the block begins.
     machine: Machine,
-    /// The pole: where circles and polar coordinates have their centre.
+    /// The pole: centre of circles and polar coordinates.
     pole: [f64; 3],
 }
 
@@ -74,7 +74,7 @@ impl Klartext {
         }
     }
 
-    /// The variables that were read before anything set them.
+    /// Variables that were read before anything set them.
     pub fn asks(&self) -> Vec<Ask> {
         self.machine.variables.asks()
     }
@@ -129,7 +129,7 @@ impl Klartext {
             ["CALL", "LBL", ..] => return self.call(text.get(8..).unwrap_or_default(), at, reader),
             ["TCH", "PROBE", number, ..] => {
                 self.cycle(&["TCH PROBE ", number].concat(), text, reader);
-                // A touch that meets nothing stops the program.
+                // A touch without contact stops the program.
                 if reader.ended {
                     return Next::End;
                 }
@@ -159,7 +159,7 @@ impl Klartext {
                     return Next::End;
                 }
             }
-            // Shifts of nothing, selections and texts move nothing.
+            // Shifts of 0, selections and texts move nothing.
             [
                 "TRANS" | "SEL" | "PLANE" | "FUNCTION" | "GLOBAL" | "PATTERN",
                 ..,
@@ -169,17 +169,17 @@ impl Klartext {
         Next::Below
     }
 
-    /// What is not understood may move, call and compute.
+    /// A block that is not understood may move, call and compute.
     fn strange(&mut self, reader: &mut Reader) {
         self.machine.variables.forget();
         reader.lose(Skip::Words, reader.line);
     }
 
-    /// A native cycle: its parameters are set, and where it ends is not known.
+    /// A native cycle: its parameters are set, and its end is unknown.
     fn cycle(&mut self, name: &str, text: &str, reader: &mut Reader) {
         self.assign_all(text);
         self.notes_clearance(text, reader);
-        // What a cycle leaves of its results.
+        // Results that a cycle leaves.
         for number in (115..=119).chain(150..=199).chain(950..=999) {
             self.machine
                 .variables
@@ -198,7 +198,7 @@ impl Klartext {
         reader.native(name, given, here);
     }
 
-    /// At the clearance height of a cycle, Q260, nothing is in the way: so its manual has it.
+    /// At the clearance height of a cycle, Q260, nothing is in the way, by its manual.
     fn notes_clearance(&self, text: &str, reader: &mut Reader) {
         let scale = reader.modes.scale;
         let moves = reader.path.len();
@@ -213,7 +213,7 @@ impl Klartext {
         }
     }
 
-    /// The spindle is started or stopped.
+    /// Notes that the spindle is started or stopped.
     fn notes_spindle(words: &[&str], reader: &mut Reader) {
         let entry = (reader.path.len(), reader.line);
         let Some(log) = &mut reader.log else { return };
@@ -228,7 +228,7 @@ impl Klartext {
         }
     }
 
-    /// The parameters of a cycle.
+    /// Sets the parameters of a cycle.
     fn assign_all(&mut self, text: &str) {
         for (number, given) in assignments(text) {
             let value = match given {
@@ -275,13 +275,13 @@ impl Klartext {
             "9" | "10" | "11" | "12" => {
                 return self.jump(rest.strip_prefix("IF").unwrap_or(rest), at, reader);
             }
-            // One that an unknown condition may jump over is not this way's.
+            // One that an unknown condition may jump over does not belong to this branch.
             "14" if !self.machine.is_sure() => reader.branch_ends(),
             "14" => {
                 reader.aborts();
                 return Next::End;
             }
-            // The control's own values, and tables: whom they belong to may know them.
+            // Values of the control, and tables: the user may know them.
             "18" | "28" | "23" | "24" => {
                 reader.skipped.count(Skip::Value, reader.line);
                 let key = rest
@@ -291,16 +291,16 @@ impl Klartext {
                     self.machine.variables.set_by_control(key);
                 }
             }
-            // The control's own values, and a table, are written.
+            // Writes values of the control, or a table.
             "17" => reader.wrote_by_function("SYSWRITE", rest),
             "26" | "27" => reader.wrote_by_function("TABWRITE", rest),
-            // Outputs: they set nothing.
+            // Outputs set nothing.
             _ => reader.skipped.count(Skip::Value, reader.line),
         }
         Next::Below
     }
 
-    /// `+Q1 EQU +Q3 GOTO LBL 5`. Where the condition is not known the blocks are read in their order.
+    /// `+Q1 EQU +Q3 GOTO LBL 5`. If the condition is unknown the blocks are read in order.
     fn jump(&mut self, rest: &str, at: usize, reader: &mut Reader) -> Next {
         reader.asks();
         let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.machine.variables);
@@ -326,14 +326,14 @@ impl Klartext {
         Next::Below
     }
 
-    /// A number or a parameter; NaN if its value is not known.
+    /// A number or a parameter; NaN if its value is unknown.
     fn value(&self, text: &str) -> f64 {
         let mut cursor = Cursor::new(text.as_bytes(), 0, &self.machine.variables);
         let value = cursor.operand().map_or(f64::NAN, Computed::or_nan);
         if cursor.is_done() { value } else { f64::NAN }
     }
 
-    /// `5`, `"NAME"`, `5 REP 3`: a subprogram, or the section from the label on again.
+    /// `5`, `"NAME"`, `5 REP 3`: a subprogram, or a repeated section from the label on.
     fn call(&mut self, rest: &str, at: usize, reader: &mut Reader) -> Next {
         let (name, times) = match rest.split_once("REP") {
             Some((name, times)) => (
@@ -371,7 +371,7 @@ impl Klartext {
     }
 }
 
-/// The name of a label: a number, or a text in quotes.
+/// Name of a label: a number, or a text in quotes.
 fn label(text: &str) -> String {
     let text = text.trim_start();
     match text.strip_prefix('"') {
@@ -384,7 +384,7 @@ fn label(text: &str) -> String {
     }
 }
 
-/// What a block does to the way of the program.
+/// Effect of a block on the course of the program.
 fn turn(text: &str) -> Option<Turn> {
     let rest = text.strip_prefix("FN ").unwrap_or(text);
     if rest.len() < text.len() && rest.starts_with("14") {

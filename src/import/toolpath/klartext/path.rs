@@ -1,4 +1,4 @@
-//! Path functions: straight moves, circles about a pole, by their radius, polar coordinates.
+//! Path functions: straight moves, circles about a pole or by their radius, polar coordinates.
 
 use crate::control::iso::script::Motion;
 use crate::import::toolpath::block::{Block, EMPTY};
@@ -9,18 +9,18 @@ use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::skipped::Skip;
 
-/// The words that path functions begin with.
+/// First words of path functions.
 const PATHS: [&str; 14] = [
     "L", "LP", "LN", "C", "CP", "CR", "CT", "CTP", "CC", "RND", "CHF", "APPR", "DEP", "FPOL",
 ];
 
-/// The words of a path block, longer ones first.
+/// Words of a path block, longer ones first.
 const WORDS: [&str; 32] = [
     "IPA", "IPR", "IX", "IY", "IZ", "IA", "IB", "IC", "IU", "IV", "IW", "PA", "PR", "DR", "FMAX",
     "FAUTO", "R0", "RL", "RR", "LEN", "X", "Y", "Z", "A", "B", "C", "U", "V", "W", "F", "R", "M",
 ];
 
-/// Whether a block begins so.
+/// Whether a block begins with a path function.
 pub(super) fn is_path(word: &str) -> bool {
     PATHS.contains(&word)
         || word
@@ -28,16 +28,16 @@ pub(super) fn is_path(word: &str) -> bool {
             .is_some_and(|rest| rest.starts_with(['X', 'Y', 'Z']))
 }
 
-/// What the words of a path block say.
+/// Words of a path block.
 #[derive(Default)]
 struct Said {
-    /// X, Y, Z: a place or a distance.
+    /// X, Y, Z: a position or a distance.
     axes: [Option<(f64, bool)>; 3],
     others: bool,
-    /// Polar radius and angle, and whether the angle goes on from the present one.
+    /// Polar radius and angle, and whether the angle is incremental.
     radius: Option<f64>,
     angle: Option<(f64, bool)>,
-    /// The radius of an arc.
+    /// Radius of an arc.
     arc: Option<f64>,
     counter: Option<bool>,
     rapid: bool,
@@ -45,12 +45,12 @@ struct Said {
     machine: bool,
     calls: bool,
     ends: bool,
-    /// Something in it is not understood.
+    /// Something is not understood.
     strange: bool,
 }
 
 impl Klartext {
-    /// Follows a block of a path function; whether it ends the program.
+    /// Follows the block of a path function; returns whether it ends the program.
     pub(super) fn path(&mut self, text: &str, reader: &mut Reader) -> bool {
         let kind = text.split_whitespace().next().unwrap_or_default();
         let kind = PATHS
@@ -58,7 +58,7 @@ impl Klartext {
             .find(|known| *known == kind)
             .unwrap_or("L");
         let mut rest = &text[kind.len()..];
-        // APPR LT, DEP LCT …: how.
+        // APPR LT, DEP LCT …: the kind of approach.
         if matches!(kind, "APPR" | "DEP") {
             rest = rest.trim_start();
             rest = &rest[rest.find(char::is_whitespace).unwrap_or(rest.len())..];
@@ -73,7 +73,7 @@ impl Klartext {
         }
         match kind {
             "CC" => self.set_pole(&said, reader),
-            // The corner before it is rounded or cut off.
+            // The previous corner is rounded or chamfered.
             "RND" | "CHF" => count(&mut reader.arcs_unsolved, reader.line),
             "DEP" | "FPOL" => {
                 reader.forget(7);
@@ -87,7 +87,7 @@ impl Klartext {
         said.ends
     }
 
-    /// The words of a block.
+    /// Reads the words of a block.
     fn said(&mut self, rest: &str) -> Said {
         let mut said = Said::default();
         let mut valued = 0;
@@ -135,7 +135,7 @@ impl Klartext {
         }
     }
 
-    /// `CC X+10 Y+5`, `CC IX+5`; alone, where the stylus is.
+    /// `CC X+10 Y+5`, `CC IX+5`; without words at the stylus position.
     fn set_pole(&mut self, said: &Said, reader: &Reader) {
         let here = reader.place.map(|x| x / reader.modes.scale);
         let alone = said.axes.iter().all(Option::is_none);
@@ -192,7 +192,7 @@ impl Klartext {
         }
     }
 
-    /// The place of polar coordinates about the pole.
+    /// Position of polar coordinates about the pole.
     fn polar(&self, said: &Said, reader: &Reader, block: &mut Block) {
         let [a, o, _] = reader.modes.plane.unwrap_or_default().axes();
         let here = reader.place.map(|x| x / reader.modes.scale);
@@ -208,7 +208,7 @@ impl Klartext {
             self.pole[o] + radius * angle.to_radians().sin(),
         ];
         for (axis, x) in [a, o].into_iter().zip(place) {
-            // Without the noise of sine and cosine.
+            // Without rounding noise.
             let x = (x * 1e9).round() / 1e9;
             block.given |= 1 << axis;
             block.places[axis] = x;
@@ -232,7 +232,7 @@ impl Said {
                 self.axes[usize::from(word.as_bytes()[1] - b'X')] = Some((value, true))
             }
             "PR" => self.radius = Some(value),
-            // A radius that goes on from the present one is not followed.
+            // An incremental radius is not followed.
             "IPR" => self.radius = Some(f64::NAN),
             "PA" => self.angle = Some((value, false)),
             "IPA" => self.angle = Some((value, true)),

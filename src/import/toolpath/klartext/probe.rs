@@ -1,19 +1,19 @@
 //! Moves of HEIDENHAIN's probing cycles: those that the writer uses.
 //!
-//! Of the touch probe table nothing is known: SET_UP is taken for 0, and a touch for one that searches 10 mm behind the contact [I].
+//! The touch probe table is unknown: SET_UP is assumed 0, and a touch searches 10 mm past its contact \[I\].
 
 use crate::control::heidenhain::cycles;
 use crate::control::native::{self, Unit};
 use crate::import::toolpath::reader::Reader;
 use crate::path::Reach;
 
-/// How far a touch searches behind its contact, mm: DIST of the table, which is not known.
+/// Search distance past the contact, mm: DIST of the table, which is unknown.
 const REACH: Reach = Reach {
     set_up: 0.0,
     behind: 10.0,
 };
 
-/// Makes the moves of a cycle; false where they are not known, or a parameter is not.
+/// Makes the moves of a cycle; false if they are unknown, or a parameter is missing.
 pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool {
     let Ok(cycle) = number.parse::<u16>() else {
         return false;

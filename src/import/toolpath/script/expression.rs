@@ -1,4 +1,4 @@
-//! Expressions: what a value in a line comes to, where all in it is known.
+//! Expressions: the value in a line, if everything in it is known.
 
 use crate::import::toolpath::key::{Key, plain};
 use crate::import::toolpath::script::grammar::{Function, Language, Operator};
@@ -14,10 +14,10 @@ pub struct Cursor<'a> {
     pub at: usize,
     variables: &'a Variables,
     depth: usize,
-    /// How many operators, and how many comparisons, were read outside of brackets.
+    /// Number of operators and of comparisons read outside of brackets.
     operators: usize,
     comparisons: usize,
-    /// Whether it is the value of a word, and no part of a macro's own statement.
+    /// Whether it is the value of a word, and not part of a macro's own statement.
     word: bool,
 }
 
@@ -41,17 +41,17 @@ impl<'a> Cursor<'a> {
         self.line.get(self.at).map(u8::to_ascii_uppercase)
     }
 
-    /// What follows.
+    /// The rest.
     pub fn rest(&self) -> &'a [u8] {
         &self.line[self.at..]
     }
 
-    /// Whether nothing follows.
+    /// Whether nothing is left.
     pub fn is_done(&mut self) -> bool {
         self.peek().is_none()
     }
 
-    /// Goes past a sign or a word where it is next.
+    /// Reads a sign or a word if it is next.
     pub fn eat(&mut self, word: &str) -> bool {
         self.peek();
         let end = self.at + word.len();
@@ -86,7 +86,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// A value as a word has it: a number, a variable, brackets, a function, each with a sign.
+    /// A value in a word: a number, a variable, brackets, a function, each with a sign.
     pub fn operand(&mut self) -> Option<Value> {
         self.depth += 1;
         if self.depth > DEEPEST {
@@ -98,7 +98,7 @@ impl<'a> Cursor<'a> {
                 self.at += 1;
                 match self.operand()? {
                     Value::Number(x) => Value::Number(-x),
-                    // Whether a word with it is left out is not known.
+                    // It is unknown whether a word with it is omitted.
                     _ => Value::Unknown,
                 }
             }
@@ -128,7 +128,7 @@ impl<'a> Cursor<'a> {
         Some(value)
     }
 
-    /// A number without a sign; a HEIDENHAIN writes 0,5 as well.
+    /// A number without a sign; a HEIDENHAIN also writes 0,5.
     fn digits(&mut self) -> Option<Value> {
         const MOST: usize = 40;
         let rest = self.rest();
@@ -144,7 +144,7 @@ impl<'a> Cursor<'a> {
         Some(Value::Number(number))
     }
 
-    /// Whether what comes next is computed, and no plain number.
+    /// Whether the next value is computed instead of a plain number.
     pub fn computes(&mut self) -> bool {
         let begin = self.at;
         let mut next = self.peek();
@@ -163,13 +163,13 @@ impl<'a> Cursor<'a> {
         is_variable || function
     }
 
-    /// How many letters follow; no name of a function has more than nine.
+    /// Number of letters that follow; no function name has more than nine.
     fn letters(&self) -> usize {
         let letters = self.rest().iter().take(9);
         letters.take_while(|b| b.is_ascii_alphabetic()).count()
     }
 
-    /// The value of a word.
+    /// Value of a word.
     pub fn in_word(&mut self) -> Option<Value> {
         self.word = true;
         let value = self.operand();
@@ -203,7 +203,7 @@ impl<'a> Cursor<'a> {
         let before = (self.operators, self.comparisons);
         let mut left = self.level(level + 1)?;
         loop {
-            // `**` is no product.
+            // `**` is not a product.
             let power = self.peek() == Some(b'*') && self.line.get(self.at + 1) == Some(&b'*');
             let next = operators.iter().find(|(word, operator)| {
                 (!power || *operator == Operator::Power) && self.eat(word)
@@ -213,11 +213,11 @@ impl<'a> Cursor<'a> {
             };
             let right = self.level(level + 1)?;
             left = self.combined(*operator, left, right);
-            // On a Fanuc AND binds as a product: without brackets around what it joins it does something else.
+            // On a Fanuc AND binds like a product: without brackets around its operands it has another effect.
             if level == 0 && grammar.language == Language::MacroB && self.operators > before.0 {
                 left = Value::Unknown;
             }
-            // A SINUMERIK compares last: without brackets around a comparison AND and OR join something else.
+            // A SINUMERIK compares last: without brackets around a comparison AND and OR join other operands.
             let is_logical = matches!(operator, Operator::And | Operator::Or | Operator::Xor);
             if grammar.language == Language::Sinumerik && is_logical && self.comparisons > before.1
             {
@@ -230,7 +230,7 @@ impl<'a> Cursor<'a> {
 
     fn combined(&self, operator: Operator, left: Value, right: Value) -> Value {
         use Operator as Op;
-        // Nothing is not 0 where it is asked whether they are the same.
+        // An empty value is not 0 when values are compared for equality.
         if (left == Value::Empty || right == Value::Empty)
             && matches!(operator, Op::Equal | Op::Unequal)
         {
@@ -266,7 +266,7 @@ impl<'a> Cursor<'a> {
             }
             Op::Divide => Value::of(a / b),
             Op::DivideWhole => Value::of((a / b).trunc()),
-            // The sign of what is left differs from control to control.
+            // The sign of the remainder differs between controls.
             Op::Modulo if b > 0.0 && a >= 0.0 => Value::of(a % b),
             Op::Power if b.fract() == 0.0 && (0.0..=16.0).contains(&b) => {
                 Value::of(a.powi(b as i32))
@@ -282,12 +282,12 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Whether this operand alone makes an OR true.
+    /// Whether this operand makes an OR true by itself.
     fn is_truth(&self, x: f64) -> bool {
         x == 1.0 || x != 0.0 && self.variables.grammar.language == Language::Sinumerik
     }
 
-    /// Of numbers that are no truths a macro joins the bits.
+    /// For numbers that are not truth values a macro combines the bits.
     fn logical(&self, operator: Operator, a: f64, b: f64) -> Value {
         let are_truths = [a, b].iter().all(|x| *x == 0.0 || *x == 1.0);
         if !are_truths && self.variables.grammar.language != Language::Sinumerik {
@@ -303,8 +303,7 @@ impl<'a> Cursor<'a> {
 
     fn compared(&self, operator: Operator, a: f64, b: f64) -> Value {
         use Operator as Op;
-        // LinuxCNC takes numbers for equal that differ by less than a ten-thousandth, and compares others as they are. How near numbers may be on a
-        // Fanuc is not known here.
+        // LinuxCNC treats numbers that differ by less than a ten-thousandth as equal. The tolerance of a Fanuc is unknown here.
         const SAME: f64 = 1e-4;
         let off = (a - b).abs();
         let (is_same, is_decided) = match self.variables.grammar.language {
@@ -403,14 +402,14 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// `(1, R2)`: values in brackets, with commas between them.
+    /// `(1, R2)`: values in brackets, separated by commas.
     pub fn arguments(&mut self) -> Option<Vec<Value>> {
         const MOST: usize = 1000;
         let mut values = Vec::new();
         self.eat("(").then_some(())?;
         while !self.eat(")") {
             (values.len() < MOST).then_some(())?;
-            // A SINUMERIK's argument that is left out is 0.
+            // An omitted argument is 0 on a SINUMERIK.
             if self.eat(",") {
                 values.push(Value::Number(0.0));
                 continue;
@@ -444,7 +443,7 @@ impl<'a> Cursor<'a> {
         let language = self.variables.grammar.language;
         let (is_macro_b, is_linuxcnc) =
             (language == Language::MacroB, language == Language::LinuxCnc);
-        // Nothing counts as 0.
+        // An empty value counts as 0.
         let number = |value: &Value| match value {
             Value::Empty => Some(0.0),
             value => value.number(),
@@ -460,7 +459,7 @@ impl<'a> Cursor<'a> {
             (Function::Tangent, [x]) => x.to_radians().tan(),
             (Function::ArcSine, [x]) => x.asin().to_degrees(),
             (Function::ArcCosine, [x]) => x.acos().to_degrees(),
-            // On a Fanuc a parameter says whether the other half turn is below 0 or above 180.
+            // On a Fanuc a parameter decides whether the other half turn is below 0 or above 180.
             (Function::ArcTangent, [x]) if is_macro_b && *x < 0.0 => f64::NAN,
             (Function::ArcTangent2, [y, _]) if is_macro_b && *y < 0.0 => f64::NAN,
             // LinuxCNC has ATAN only with two values.
@@ -508,7 +507,7 @@ impl<'a> Cursor<'a> {
         key
     }
 
-    /// A variable by a name: `R_SKIP[0,1]` of an LNC, `var.x`, `move.axes[0].userPosition`.
+    /// A variable with a name: `R_SKIP[0,1]` of an LNC, `var.x`, `move.axes[0].userPosition`.
     fn named_key(&mut self) -> Option<Key> {
         if self.variables.grammar.language == Language::Sinumerik {
             return self.key();
@@ -517,7 +516,7 @@ impl<'a> Cursor<'a> {
         loop {
             match self.line.get(self.at) {
                 Some(b'[') => name += &self.index()?,
-                // `R_SKIP(0,1)`, as the manual of an LNC has it.
+                // `R_SKIP(0,1)`, as in the manual of an LNC.
                 Some(b'(') if self.variables.grammar.language == Language::Lnc => {
                     let whole = |value: &Value| Some(crate::num::decimal(value.number()?, 0));
                     let index: Option<Vec<String>> = self.list()?.iter().map(whole).collect();
@@ -528,7 +527,7 @@ impl<'a> Cursor<'a> {
                     name.push('.');
                     name += &String::from_utf8_lossy(self.name()?);
                 }
-                // RepRapFirmware's names differ by capitals.
+                // RepRapFirmware's names are case-sensitive.
                 _ if self.variables.grammar.is_indented => return Some(Key::Name(name)),
                 _ => return Some(Key::Name(name.to_ascii_lowercase())),
             }
@@ -568,7 +567,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// The name of a HEIDENHAIN's parameter.
+    /// Name of a HEIDENHAIN parameter.
     fn parameter(&mut self) -> Option<Key> {
         (self.peek()? == b'Q').then_some(())?;
         let kind = usize::from(matches!(
@@ -583,7 +582,7 @@ impl<'a> Cursor<'a> {
         Some(Key::capitals(name))
     }
 
-    /// A name, without its index.
+    /// A name without its index.
     pub fn name(&mut self) -> Option<&'a [u8]> {
         let first = self.peek()?;
         let begins = first.is_ascii_alphabetic() || matches!(first, b'_' | b'$');
@@ -598,7 +597,7 @@ impl<'a> Cursor<'a> {
         Some(self.index_of(name))
     }
 
-    /// A SINUMERIK's variable by its name, with the index that follows: `R[5]` is R5. Which one it is may not be known.
+    /// A SINUMERIK variable by its name, with the index that follows: `R[5]` is R5. The index may be unknown.
     pub fn index_of(&mut self, name: &[u8]) -> Key {
         match self.index() {
             None => Key::Unknown,
@@ -610,7 +609,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The index after a name: `[2]` for `[R1+1]`, `[X]`. Empty if there is no index, `None` if its value is not known.
+    /// The index after a name: `[2]` for `[R1+1]`, `[X]`. Empty if there is no index, `None` if its value is unknown.
     pub fn index(&mut self) -> Option<String> {
         if self.line.get(self.at) != Some(&b'[') {
             return Some(String::new());
@@ -643,7 +642,7 @@ fn is_name(b: u8) -> bool {
     b.is_ascii_alphanumeric() || matches!(b, b'_' | b'$')
 }
 
-/// Where the bracket closes that a text begins with.
+/// Position of the closing bracket for the one at the start of a text.
 fn closing(text: &[u8]) -> Option<usize> {
     const LONGEST: usize = 1000;
     let mut depth = 0;

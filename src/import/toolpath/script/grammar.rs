@@ -1,11 +1,11 @@
-//! How the languages of controls write values: operators, brackets and functions, as rows.
+//! Languages of controls as rows: operators, brackets, functions and words.
 
-/// A family of languages that differ in what a variable is called and holds.
+/// A family of languages with the same names and meanings of variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
-    /// LinuxCNC and kin: O words, `#<name>`.
+    /// LinuxCNC and compatible controls: O words, `#<name>`.
     LinuxCnc,
-    /// Macro B of Fanuc and kin.
+    /// Macro B of Fanuc and compatible controls.
     MacroB,
     /// Macros of an LNC: `#` and `@`, nested structures.
     Lnc,
@@ -47,9 +47,9 @@ pub enum Operator {
     DivideWhole,
     Modulo,
     Power,
-    /// The length of two sides: `a LEN b`.
+    /// Hypotenuse of two sides: `a LEN b`.
     Length,
-    /// The angle of two sides, 0 to 360: `opposite ANG adjacent`.
+    /// Angle of two sides, 0 to 360: `opposite ANG adjacent`.
     Angle,
 }
 
@@ -62,7 +62,7 @@ pub enum Function {
     Tangent,
     ArcSine,
     ArcCosine,
-    /// Of a slope, or of `[y]/[x]`.
+    /// Arc tangent of a slope, or of `[y]/[x]`.
     ArcTangent,
     ArcTangent2,
     SquareRoot,
@@ -72,9 +72,9 @@ pub enum Function {
     Truncate,
     Fraction,
     Round,
-    /// To the next lower whole number; on a Fanuc towards 0.
+    /// Next lower whole number; on a Fanuc towards 0.
     Fix,
-    /// To the next higher whole number; on a Fanuc away from 0.
+    /// Next higher whole number; on a Fanuc away from 0.
     Up,
     Least,
     Greatest,
@@ -85,43 +85,43 @@ pub enum Function {
     /// Whether a variable was set.
     Exists,
     NotExists,
-    /// Whether a condition does not hold.
+    /// Negation of a condition.
     Not,
-    /// What no probing program was seen to need.
+    /// A function that no known probing program needs.
     NotComputed,
 }
 
-/// How a language writes values.
+/// Notation of values in a language.
 #[derive(Debug)]
 pub struct Grammar {
     pub language: Language,
-    /// Operators between two values, the loosest first; in a row the longer ones first.
+    /// Binary operators, the loosest row first; in a row the longer ones first.
     pub operators: &'static [&'static [(&'static str, Operator)]],
-    /// The brackets around a part of an expression.
+    /// Brackets around a part of an expression.
     pub brackets: (u8, u8),
     /// Longer names first.
     pub functions: &'static [(&'static str, Function)],
     /// Values by name.
     pub constants: &'static [(&'static str, f64)],
-    /// An operator of letters ends where a name would go on.
+    /// Whether an operator of letters ends before the next letter of a name.
     pub is_spaced: bool,
-    /// A function needs no brackets: `SIN +30`.
+    /// Whether a function needs no brackets: `SIN +30`.
     pub is_prefix: bool,
-    /// So deep a subprogram may call the next one.
+    /// Deepest nesting of subprograms.
     pub deepest: usize,
-    /// The words of nested structures.
+    /// Words of nested structures.
     pub words: &'static [(&'static str, Keyword)],
-    /// Structures end by indentation.
+    /// Whether structures end by indentation.
     pub is_indented: bool,
     /// Words that stop the program with a message.
     pub alarms: &'static [&'static str],
     /// Words that neither move nor set anything.
     pub ignored: &'static [&'static str],
-    /// The variables of the last contact begin with this number.
+    /// First number of the variables of the last contact.
     pub contact: i32,
-    /// Codes of probing moves, and the word of a G31 that has the same meaning of a contact.
+    /// Codes of probing moves, with the word of a G31 for the same meaning of a contact.
     pub probing: &'static [(&'static str, &'static str)],
-    /// What a comment begins with beside `;`, and in what brackets it may be.
+    /// Start of a comment beside `;`, and the brackets around it.
     pub comment: Option<&'static str>,
 }
 
@@ -166,7 +166,7 @@ const MACRO_FUNCTIONS: &[(&str, Function)] = &[
     ("LN", Function::NotComputed),
 ];
 
-/// The functions of macros and these, `N` in all.
+/// Functions of macros plus these, `N` in all.
 const fn macro_functions<const N: usize>(
     more: &[(&'static str, Function)],
 ) -> [(&'static str, Function); N] {
@@ -220,14 +220,14 @@ pub const MACH3: Grammar = Grammar {
     ..MACRO_B
 };
 
-/// Macro B of Fanuc and kin.
+/// Macro B of Fanuc and compatible controls.
 pub const MACRO_B: Grammar = Grammar {
     language: Language::MacroB,
     functions: MACRO_FUNCTIONS,
     ..LINUXCNC
 };
 
-/// Centroid, by its help: without a contact M115 and M116 are an error, with one M125 and M126.
+/// Centroid, by its help: M115 and M116 report an error without a contact, M125 and M126 with one.
 pub const CENTROID: Grammar = Grammar {
     probing: &[
         ("M115", "M79"),
@@ -296,7 +296,7 @@ pub const SINUMERIK: Grammar = Grammar {
     ..LINUXCNC
 };
 
-/// The operators of macro B, and signs for them.
+/// Operators of macro B, and signs for them.
 const SIGNED_OPERATORS: &[&[(&str, Operator)]] = &[
     &[
         ("AND", Operator::And),
@@ -352,7 +352,7 @@ pub const LNC: Grammar = Grammar {
         "MENU_ADD",
         "MENU",
         "MSG_OK",
-        // The spindle's orientation is unlocked.
+        // Unlocks the spindle's orientation.
         "M20",
     ],
     comment: Some("//"),
@@ -380,7 +380,7 @@ pub const EDING: Grammar = Grammar {
     ..LINUXCNC
 };
 
-/// RepRapFirmware, by its documentation of meta commands. Angles are in radians there: functions of them are not computed.
+/// RepRapFirmware, by its documentation of meta commands. Its angles are in radians: functions of them are not computed.
 pub const REPRAP: Grammar = Grammar {
     language: Language::RepRap,
     operators: &[
@@ -500,7 +500,7 @@ pub enum Keyword {
 }
 
 impl Keyword {
-    /// The word that ends the structure which this word begins; `None` if it begins no structure.
+    /// The word that ends the structure begun by this word; `None` if it begins none.
     pub fn end(self) -> Option<Keyword> {
         Some(match self {
             Keyword::If => Keyword::EndIf,
@@ -513,7 +513,7 @@ impl Keyword {
         })
     }
 
-    /// Whether the program may continue elsewhere for it, and not only in a structure.
+    /// Whether the program may continue elsewhere because of it, outside of a structure.
     pub fn jumps(self) -> bool {
         matches!(
             self,
@@ -522,7 +522,7 @@ impl Keyword {
     }
 }
 
-/// The words behind the label of an O word.
+/// Words after the label of an O word.
 pub const O_WORDS: [(&str, Keyword); 15] = [
     ("sub", Keyword::Sub),
     ("endsub", Keyword::EndSub),

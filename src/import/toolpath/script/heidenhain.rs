@@ -1,6 +1,6 @@
-//! The ISO of a HEIDENHAIN: Q parameters by D codes and formulas, labels G98, calls and repeats L.
+//! HEIDENHAIN's ISO: Q parameters by D codes and formulas, labels G98, calls and repeats L.
 //!
-//! D00 to D14 are FN 0 to FN 14 of Klartext, with P01, P02 and P03 in front of what they work on.
+//! D00 to D14 are FN 0 to FN 14 of Klartext, with P01, P02 and P03 before their operands.
 
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
@@ -86,7 +86,7 @@ impl Machine {
         self.sets(key, value.filter(|_| is_whole).unwrap_or(Value::Unknown))
     }
 
-    /// `L5,0` calls; `L5,3` runs the section from the label on three times more.
+    /// `L5,0` calls; `L5,3` repeats the section from the label on three more times.
     fn calls_label(&mut self, code: &str, here: Place, next: Place) -> Step {
         let (number, times) = code[1..]
             .split_once([',', '.'])
@@ -109,7 +109,7 @@ impl Machine {
         Step::Enter(place)
     }
 
-    /// A block of words, with numbers in place of the parameters that are known.
+    /// A block of words, with numbers in place of known parameters.
     fn with_parameters(&mut self, code: &str) -> Step {
         if !code.contains('Q') {
             return Step::AsWritten;
@@ -134,7 +134,7 @@ impl Machine {
             if let Some(axis @ b'X'..=b'Z') = before.bytes().last() {
                 self.valued |= 1 << (axis - b'X');
             }
-            // An unknown value is written as a variable of another dialect: the reader takes it for a computed value.
+            // An unknown value is written as a variable of another dialect: the reader treats it as computed.
             out.push_str(&match self.variables.get(&key) {
                 Value::Number(value) => decimal(sign * value, 9),
                 _ => "[#0]".to_owned(),

@@ -1,4 +1,4 @@
-//! Where the lines of a text are that something jumps to: structures, subroutines, labels, numbers.
+//! Index of the jump targets of a text: structures, subroutines, labels, numbers.
 
 use std::collections::BTreeMap;
 
@@ -10,16 +10,16 @@ use crate::import::toolpath::script::statement::{
     structure, turn, without_comment, without_label,
 };
 
-/// So many structures are looked at for the end of one, and so many programs of a text are known: a search has an end.
+/// Largest number of structures examined for the end of one, and of known programs in a text: it bounds the search.
 const MOST_LOOKED: usize = 4000;
 
-/// So many structures without an end are kept in mind.
+/// Largest number of open structures without an end.
 const MOST_OPEN: usize = 500;
 
 /// A further branch of a condition.
 #[derive(Debug)]
 pub struct Branch {
-    /// None of an `else`.
+    /// `None` for an `else`.
     pub condition: Option<Vec<u8>>,
     pub here: Place,
     pub below: Place,
@@ -31,14 +31,14 @@ pub struct Span {
     pub keyword: Keyword,
     pub label: String,
     pub begin: Place,
-    /// Below its first line.
+    /// The line below its first one.
     pub below: Place,
     pub branches: Vec<Branch>,
-    /// The line that ends it and the line below. A structure that ends by indentation has no end line: both are the first line after it. `None` without an end.
+    /// Its last line and the line below. A structure that ends by indentation has no last line: both are the first line after it. `None` without an end.
     pub end: Option<(Place, Place)>,
 }
 
-/// A call, or a way out of a structure.
+/// A call, or an exit from a structure.
 #[derive(Debug)]
 struct Mark {
     keyword: Keyword,
@@ -46,7 +46,7 @@ struct Mark {
     line: usize,
 }
 
-/// A subprogram: where its lines begin, the line of its end, and the names of its parameters.
+/// A subprogram: start of its lines, line of its end, and names of its parameters.
 #[derive(Clone, Debug)]
 pub struct Subprogram {
     pub name: String,
@@ -55,30 +55,30 @@ pub struct Subprogram {
     pub parameters: Vec<String>,
 }
 
-/// The lines of a text that something jumps to.
+/// Jump targets of a text.
 #[derive(Debug, Default)]
 pub struct Index {
     spans: Vec<Span>,
-    /// The span that a line begins, continues or ends.
+    /// Index of the span that a line begins, continues or ends.
     at: BTreeMap<usize, usize>,
     marks: Vec<Mark>,
-    /// The lines that turn the way of the program.
+    /// Lines that change the course of the program.
     turns: Vec<(usize, Turn)>,
-    /// By name.
+    /// Subprograms by name.
     subprograms: Vec<Subprogram>,
-    /// Where a subroutine is defined, the place below its end.
+    /// For each defined subroutine, the line below its end.
     definitions: BTreeMap<usize, Place>,
     labels: BTreeMap<String, Vec<Place>>,
-    /// Files below the program, which it calls by name.
+    /// Files after the program, which it calls by name.
     files: Vec<Subprogram>,
-    /// Numbers of blocks, by number.
+    /// Blocks by number.
     blocks: Vec<(u32, Place)>,
-    /// Numbers of programs, and the places below their lines.
+    /// Programs by number, with the lines below their numbers.
     programs: Vec<(u32, Place)>,
     lines: usize,
 }
 
-/// The name of a file in small letters, without folder and ending: `0:/macros/Probe.g` is probe, and `G6512.1.g` is g6512.1.
+/// Name of a file in small letters, without folder and extension: `0:/macros/Probe.g` is probe, and `G6512.1.g` is g6512.1.
 fn base_name(name: &str) -> String {
     let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let ending = name.rsplit_once('.').filter(|(_, ending)| {
@@ -87,19 +87,19 @@ fn base_name(name: &str) -> String {
     ending.map_or(name, |(base, _)| base).to_ascii_lowercase()
 }
 
-/// Joins the words of structures while a text is read.
+/// Open structures while a text is read.
 #[derive(Default)]
 struct Open {
-    /// The spans that have no end yet.
+    /// Spans without an end so far.
     spans: Vec<usize>,
-    /// The subroutines that have no end yet, with their own lines.
+    /// Subroutines without an end so far, with their own lines.
     subs: Vec<(String, usize, Place)>,
-    /// How far the lines of the spans are indented.
+    /// Indentation of the lines of the spans.
     indents: Vec<usize>,
 }
 
 impl Index {
-    /// `files` are those below the program: the line that each begins in, and its name.
+    /// `files` are those after the program: first line and name of each.
     pub fn of(text: &str, grammar: &Grammar, files: &[(u32, String)]) -> Self {
         let language = grammar.language;
         let bytes = text.as_bytes();
@@ -154,7 +154,7 @@ impl Index {
         if grammar.is_indented {
             index.dedents(0, false, Place { at, line }, &mut open);
         }
-        // By number, and of each by line.
+        // By number, and for each number by line.
         index
             .blocks
             .sort_by_key(|(number, place)| (*number, place.line));
@@ -173,7 +173,7 @@ impl Index {
         }
         index.subprograms.sort_by(|a, b| a.name.cmp(&b.name));
         if language == Language::Sinumerik {
-            // The last one of a name counts.
+            // The last one with a name counts.
             index.subprograms.reverse();
             index.subprograms.dedup_by(|a, b| a.name == b.name);
             index.subprograms.reverse();
@@ -198,13 +198,13 @@ impl Index {
         }
     }
 
-    /// The file of a name, in which case and ending do not matter.
+    /// The file with a name, ignoring case and extension.
     pub fn file_named(&self, name: &str) -> Option<&Subprogram> {
         let name = base_name(name);
         self.files.iter().find(|file| file.name == name)
     }
 
-    /// Adds a label of a program that is no text of lines.
+    /// Adds a label of a program that does not consist of text lines.
     pub fn adds_label(&mut self, name: String, here: Place) {
         self.labels.entry(name).or_default().push(here);
     }
@@ -236,7 +236,7 @@ impl Index {
         }
     }
 
-    /// The structures that are indented at least as far as a line end in front of it, but for the `if` that it goes on with.
+    /// Ends the structures that are indented at least as far as a line, before it, except for the `if` that it continues.
     fn dedents(&mut self, indent: usize, goes_on: bool, here: Place, open: &mut Open) {
         while let Some(own) = open.indents.last() {
             let at = open.spans[open.indents.len() - 1];
@@ -250,7 +250,7 @@ impl Index {
         }
     }
 
-    /// Notes the number of a block: where its code begins.
+    /// Records the number of a block. Returns the start of its code.
     fn number(&mut self, line: &[u8], here: Place) -> usize {
         let head = head(line);
         if let Some(number) = head.number {
@@ -339,7 +339,7 @@ impl Index {
         open: &mut Open,
     ) {
         let is_nested = own.label.is_empty();
-        // The structure that the word belongs to: of its label, or the innermost one.
+        // The structure of the word: by its label, or the innermost one.
         let innermost = |spans: &[Span], open: &[usize], ends: &dyn Fn(&Span) -> bool| {
             let is_own = |at: &usize| spans[*at].label == own.label;
             let last = open.len().saturating_sub(MOST_OPEN);
@@ -418,7 +418,7 @@ impl Index {
         }
     }
 
-    /// Below the subroutine that a line defines.
+    /// The line below the subroutine that a line defines.
     pub fn below_definition(&self, line: usize) -> Option<Place> {
         self.definitions.get(&line).copied()
     }
@@ -432,8 +432,7 @@ impl Index {
         &self.spans[at]
     }
 
-    /// Whether the way from a place leads to an alarm, whatever branches it has. A planned end may be that of the whole program, which a jump only
-    /// comes to sooner.
+    /// Whether every branch from a line leads to an alarm. A planned end may be that of the whole program, which a jump only reaches sooner.
     pub fn leads_out(&self, from: Place) -> bool {
         self.leads_out_within(from.line, &mut 200, 0)
     }
@@ -458,7 +457,7 @@ impl Index {
                         return false;
                     };
                     if *sure {
-                        // Round and round it does not end.
+                        // An endless loop does not end.
                         at = to.line;
                     } else if self.leads_out_within(to.line, budget, depth + 1) {
                         at = line + 1;
@@ -497,7 +496,7 @@ impl Index {
         self.ends_between(from + 1, to)
     }
 
-    /// Whether the lines from one up to another end the program, outside of structures of their own.
+    /// Whether the lines from one to another end the program, outside of inner structures.
     fn ends_between(&self, from: usize, to: usize) -> bool {
         let first = self.turns.partition_point(|(line, _)| *line < from);
         let mut own = self.turns[first..]
@@ -514,7 +513,7 @@ impl Index {
         })
     }
 
-    /// Whether a line below another one is inside of a structure that begins between them.
+    /// Whether a line is inside a structure that begins after another line.
     fn is_nested(&self, from: usize, line: usize) -> bool {
         let first = self.spans.partition_point(|span| span.begin.line <= from);
         self.spans[first..]
@@ -534,7 +533,7 @@ impl Index {
         next.is_none_or(|next| next.name != name).then_some(found)
     }
 
-    /// The first subroutines of the first bytes that nothing in the text calls, the last first.
+    /// The first subroutines in the first bytes that nothing in the text calls, the last first.
     pub fn uncalled(&self, before: usize) -> Vec<Subprogram> {
         const MOST_SHOWN: usize = 100;
         let mut called: Vec<&str> = self
@@ -556,7 +555,7 @@ impl Index {
         all
     }
 
-    /// The first and the last line of a program; `None` if the text has no such program, or several.
+    /// First and last line of a program; `None` if the text has no such program, or several.
     pub fn program(&self, number: u32) -> Option<(Place, usize)> {
         let mut all = self.programs.iter().filter(|(known, _)| *known == number);
         let ((_, begin), more) = (all.next()?, all.next());
@@ -567,7 +566,7 @@ impl Index {
         more.is_none().then(|| (*begin, end()))
     }
 
-    /// Where the lines of the next program begin.
+    /// Start of the next program.
     fn end_of_program(&self, line: usize) -> Option<usize> {
         let next = self
             .programs
@@ -575,7 +574,7 @@ impl Index {
         self.programs.get(next).map(|(_, place)| place.line)
     }
 
-    /// Where a jump from above a line goes to: a label, or the number of a block.
+    /// Target of a jump from above a line: a label, or the number of a block.
     pub fn target(&self, name: &str, line: usize) -> Option<Place> {
         if let Some(places) = self.labels.get(name) {
             let below = places.partition_point(|place| place.line < line);
@@ -585,7 +584,7 @@ impl Index {
         self.numbered(number.parse().ok()?, line)
     }
 
-    /// The place of a label; `None` if the text has it twice.
+    /// Position of a label; `None` if the text has it twice.
     pub fn only_label(&self, name: &str) -> Option<Place> {
         match self.labels.get(name)?.as_slice() {
             [place] => Some(*place),
@@ -593,7 +592,7 @@ impl Index {
         }
     }
 
-    /// The block of this number that a jump from above a line goes to: the next one below, or the first of its program.
+    /// Target block with this number for a jump from above a line: the next one below, or the first of its program.
     fn numbered(&self, number: u32, line: usize) -> Option<Place> {
         let own = self
             .programs

@@ -1,7 +1,7 @@
-//! Runs the arithmetic and the jumps of a text in front of the reader. What is known is put into the blocks as numbers, and the reader reads these; what is
-//! not known stays as it is written, and the reader says so.
+//! Runs the arithmetic and the jumps of a text before the reader. Known values are put into the blocks as numbers for the reader; unknown ones stay as written,
+//! and the reader reports them.
 //!
-//! A condition that is not known is not followed: the lines it guards are read in their order, and what they set is not known from there on.
+//! An unknown condition is not decided: the lines that it guards are read in order, and the values that they set are unknown afterwards.
 
 use std::collections::BTreeMap;
 
@@ -20,25 +20,25 @@ use crate::import::toolpath::system::System;
 use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::Variable;
 
-/// Bound on the blocks that are run.
+/// Largest number of blocks in a run.
 const MOST_BLOCKS: usize = 500_000;
 
-/// Bound on the structures that are open at one time.
+/// Largest number of open structures.
 const MOST_OPEN: usize = 5000;
 
 /// A line that is never reached.
 pub(super) const NOWHERE: usize = usize::MAX;
 
-/// A structure that is open, by its span.
+/// An open structure, by its span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Open {
-    /// A branch of it is run.
+    /// One of its branches runs.
     Branch(usize),
-    /// Whether its next `elseif` holds is not known.
+    /// Whether its next `elseif` holds is unknown.
     ElseIf(usize),
-    /// A loop, how often it runs again, and how many rounds it has made. It runs not once more where an unknown condition may have left it.
+    /// A loop, with its remaining rounds and the rounds made. It makes no further round if an unknown condition may have left it.
     Loop(usize, usize, usize),
-    /// Its condition is not known.
+    /// Its condition is unknown.
     Unsure(usize),
 }
 
@@ -50,20 +50,20 @@ impl Open {
     }
 }
 
-/// A call under way: where it continues, and what was open and not sure when it began.
+/// An active call: return position, and the uncertain structures that were open when it began.
 #[derive(Debug)]
 pub(super) struct Frame {
     back: Place,
-    /// The end of the text's lines, or of another program, is no way back.
+    /// Whether the end of the text, or another program, is not a return.
     pub ends_by_word: bool,
     open: usize,
-    /// How many M98 calls were under way.
+    /// Number of active M98 calls.
     pub inside: usize,
     unsure: usize,
     leaps: usize,
-    /// How often an unknown condition may have gone back from it: what follows in it is not sure.
+    /// Number of unknown conditions that may have returned from it: what follows in it is uncertain.
     left: usize,
-    /// The line below a file that was called.
+    /// The line below a called file.
     end: usize,
 }
 
@@ -73,29 +73,29 @@ pub(in crate::import::toolpath) struct Machine {
     pub index: Index,
     open: Vec<Open>,
     pub(super) frames: Vec<Frame>,
-    /// How many conditions that are not known guard this line.
+    /// Number of unknown conditions that guard this line.
     unsure: usize,
-    /// Lines below that an unknown condition may have jumped to: up to them nothing is sure.
+    /// Lines below that an unknown condition may have jumped to: up to them nothing is certain.
     leaps: Vec<usize>,
     blocks: usize,
-    /// How often the call in a line repeats its section again.
+    /// Remaining repetitions of the section called by a line.
     repeats: BTreeMap<usize, usize>,
     /// How often a branch that ends the program was not taken, by its line.
     spared: Vec<(usize, usize)>,
-    /// The axes whose positions were computed so far.
+    /// Axes whose positions were computed so far.
     pub valued: Axes,
-    /// The registers that the line has written.
+    /// Registers that the line has written.
     pub(super) written: Vec<(Variable, f64)>,
-    /// The lines of subprograms that ran: from, up to.
+    /// Lines of subprograms that ran: from, up to.
     ran: Vec<(usize, usize)>,
-    /// Whether the program is run with what is known, and not only read.
+    /// Whether the program is run with known inputs instead of only read.
     pub runs: bool,
     /// Subroutines that nothing in the text calls, the last first.
     uncalled: Vec<Subprogram>,
 }
 
 impl Machine {
-    /// The program is the first bytes of the text; what is below may be called. `set` is what the user knows of variables.
+    /// The program is the first bytes of the text; lines below may be called. `set` has the user's values of variables.
     pub fn new(
         text: &str,
         end: usize,
@@ -115,7 +115,7 @@ impl Machine {
         }
     }
 
-    /// Over the places of a program.
+    /// A machine over the positions of a program.
     pub fn over(index: Index, grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
         Machine {
             variables: Variables::new(grammar, set),
@@ -139,7 +139,7 @@ impl Machine {
         self.variables.grammar.language
     }
 
-    /// The lines of a subprogram run, with the line of its name.
+    /// Records that the lines of a subprogram run, with the line of its name.
     pub(super) fn runs(&mut self, begin: Place, end: usize) {
         const MOST_KNOWN: usize = 500;
         let lines = (begin.line.saturating_sub(1), end);
@@ -148,12 +148,12 @@ impl Machine {
         }
     }
 
-    /// Whether what a block sets is set for sure.
+    /// Whether assignments of a block are certain.
     pub fn is_sure(&self) -> bool {
         self.unsure == 0 && self.leaps.is_empty()
     }
 
-    /// Whether an unknown condition of this call guards the block: a jump in it may not be made, and what it jumps over may run.
+    /// Whether an unknown condition of this call guards the block: a jump in it may not be made, and the lines that it skips may run.
     pub(super) fn is_guarded(&self) -> bool {
         let (unsure, leaps) = self
             .frames
@@ -162,7 +162,7 @@ impl Machine {
         self.unsure > unsure || self.leaps.len() > leaps
     }
 
-    /// A part of a block that is guarded by a condition which is not known.
+    /// Runs a part of a block that is guarded by an unknown condition.
     pub(super) fn guarded<T>(&mut self, is_unknown: bool, run: impl FnOnce(&mut Self) -> T) -> T {
         let guards = usize::from(is_unknown);
         self.unsure += guards;
@@ -171,7 +171,7 @@ impl Machine {
         done
     }
 
-    /// Up to a line nothing is sure, in this call: each line once, however often a loop comes by.
+    /// Up to a line nothing is certain in this call: each line once, however often a loop repeats it.
     fn leaps_to(&mut self, line: usize) {
         let own = self
             .frames
@@ -183,14 +183,14 @@ impl Machine {
         }
     }
 
-    /// It may continue at a place: up to that nothing is sure. What a jump back repeats may set any variable again.
+    /// The program may continue at a position: up to it nothing is certain. A repetition by a jump back may set any variable again.
     pub(super) fn leap(&mut self, to: Option<Place>, next: Place) -> Step {
         match to {
             Some(below) if below.line >= next.line => {
                 self.leaps_to(below.line);
                 Step::MayJump(below.line)
             }
-            // Behind a jump back it goes on when its rounds are over.
+            // After a jump back it continues when its rounds are over.
             Some(_) => {
                 self.forget();
                 Step::Way(Way::LoopLeft(self.valued))
@@ -203,24 +203,24 @@ impl Machine {
         }
     }
 
-    /// A jump under a condition. Where the condition is not known, or an unknown one guards the jump, it is not made: the lines are read in their order.
+    /// A conditional jump. If the condition is unknown, or an unknown one guards the jump, it is not made: the lines are read in order.
     pub fn jump(&mut self, to: Option<Place>, holds: Option<bool>, next: Place) -> Step {
         match (holds, to) {
             (Some(false), _) => return Step::Done,
             (Some(true), Some(to)) if !self.is_guarded() => return Step::Go(to),
-            // One of the two ways ends: the other one is the program's.
+            // One of the two branches ends: the program follows the other one.
             (None, Some(to)) if self.runs && self.index.leads_out(to) && self.spares() => {
                 return Step::BranchEnds(None);
             }
             _ => {}
         }
-        // A jump that is made to a block that is not known.
+        // A jump that is made to an unknown block.
         let is_astray = holds == Some(true) && to.is_none() && !self.is_guarded();
         let leap = self.leap(to, next);
         if is_astray { Step::Astray } else { leap }
     }
 
-    /// Whether the branch of a line that ends the program may be left once more: a loop that only it ends would not end.
+    /// Whether the ending branch of a line may be skipped once more: a loop that only it ends would not end.
     fn spares(&mut self) -> bool {
         const MOST_SPARED: usize = 1000;
         let line = self.variables.line;
@@ -246,7 +246,7 @@ impl Machine {
         true
     }
 
-    /// Whether one more call may be under way.
+    /// Whether one more call is possible.
     pub fn may_call(&self) -> bool {
         self.frames.len() < self.variables.grammar.deepest
     }
@@ -272,7 +272,7 @@ impl Machine {
         });
     }
 
-    /// Back from a call; none outside of calls.
+    /// Returns from a call; `None` outside of calls.
     pub fn leave(&mut self) -> Option<Place> {
         let frame = self.frames.pop()?;
         self.variables.leave();
@@ -282,7 +282,7 @@ impl Machine {
         Some(frame.back)
     }
 
-    /// It may go back from the call here, or not: what follows in it is not sure.
+    /// It may return from the call here or not: what follows in it is uncertain.
     pub(super) fn may_leave(&mut self) -> Step {
         let Some(frame) = self.frames.last_mut() else {
             return Step::AsWritten;
@@ -292,7 +292,7 @@ impl Machine {
         Step::MayLeave(frame.back.line)
     }
 
-    /// Closes what is open above a place of the stack.
+    /// Closes everything above a level of the stack.
     fn close_to(&mut self, length: usize) {
         while self.open.len() > length {
             if let Some(Open::Unsure(_)) = self.open.pop() {
@@ -301,7 +301,7 @@ impl Machine {
         }
     }
 
-    /// Opens a structure. One of the same span that was left by a jump is over.
+    /// Opens a structure. One of the same span that a jump has left is closed.
     fn opens(&mut self, open: Open) {
         if let Some((at, _)) = self.opened(open.span()) {
             self.close_to(at);
@@ -310,7 +310,7 @@ impl Machine {
         self.open.push(open);
     }
 
-    /// What is open of a span in this call, and its place on the stack.
+    /// The open structure of a span in this call, and its index on the stack.
     fn opened(&self, span: usize) -> Option<(usize, Open)> {
         let first = self.frames.last().map_or(0, |frame| frame.open);
         let own = self.open.get(first..)?;
@@ -326,7 +326,7 @@ impl Machine {
         })
     }
 
-    /// A word of a structure, with what its condition or its count comes to.
+    /// A word of a structure, with the value of its condition or count.
     pub(super) fn structure(
         &mut self,
         keyword: Keyword,
@@ -334,7 +334,7 @@ impl Machine {
         here: Place,
     ) -> Step {
         let Some(span) = self.index.span_at(here.line) else {
-            // The end of a loop that begins nowhere: it may set anything.
+            // The end of a loop without a start: it may set anything.
             if matches!(
                 keyword,
                 Keyword::EndWhile | Keyword::EndRepeat | Keyword::EndFor | Keyword::EndLoop
@@ -359,7 +359,7 @@ impl Machine {
             },
             Keyword::Else => self.next_branch(span, true),
             Keyword::EndIf => self.structure_ends(span),
-            // The `while` of a `do` holds as long as it runs, an UNTIL as long as it does not.
+            // The `while` of a `do` continues if it holds, an UNTIL if it does not.
             Keyword::While if is_end => self.do_ends(span, value.and_then(Value::holds)),
             Keyword::Until => self.do_ends(span, value.and_then(Value::holds).map(|holds| !holds)),
             Keyword::Do => self.loop_begins(span, usize::MAX),
@@ -393,7 +393,7 @@ impl Machine {
         }
     }
 
-    /// Below the end of a structure; without one the block is read as it is written.
+    /// The line below the end of a structure; without one the block is read as written.
     fn below(&self, span: usize) -> Step {
         Step::to(self.index.span(span).end.map(|(_, below)| below))
     }
@@ -416,7 +416,7 @@ impl Machine {
         }
     }
 
-    /// The first further branch whose condition holds, or the end of the `if`.
+    /// The first further branch with a true condition, or the end of the `if`.
     fn other_branch(&mut self, span: usize) -> Step {
         for branch in &self.index.span(span).branches {
             let (here, below) = (branch.here, branch.below);
@@ -432,7 +432,7 @@ impl Machine {
                     self.opens(Open::Branch(span));
                     return Step::Go(below);
                 }
-                // From there on it is not known which of them is run.
+                // From there on it is unknown which of them runs.
                 None => {
                     self.opens(Open::ElseIf(span));
                     return Step::Go(here);
@@ -442,7 +442,7 @@ impl Machine {
         self.below(span)
     }
 
-    /// A further branch is reached from the one above it: that was run, or it is not known whether it was.
+    /// A further branch is reached from the one above it: that one ran, or it is unknown whether it did.
     fn next_branch(&mut self, span: usize, otherwise: bool) -> Step {
         match self.opened(span) {
             Some((at, Open::Branch(_))) => {
@@ -454,7 +454,7 @@ impl Machine {
         }
     }
 
-    /// A loop begins, and runs so many times.
+    /// A loop begins with this number of rounds.
     fn loop_begins(&mut self, span: usize, times: usize) -> Step {
         match self.opened(span) {
             Some((at, Open::Loop(..))) => self.close_to(at + 1),
@@ -509,7 +509,7 @@ impl Machine {
                 if known.is_some() {
                     return Step::Done;
                 }
-                // What it sets, and what it moves by a distance, may be another after the next round.
+                // Its assignments, and its moves by a distance, may differ after the next round.
                 self.forget();
                 Step::Way(Way::LoopLeft(self.valued))
             }
@@ -534,7 +534,7 @@ impl Machine {
         Step::Done
     }
 
-    /// What another round may set is not known, nor what it would set in a branch that this one did not run.
+    /// Assignments of further rounds are unknown, and so are those of a branch that this round did not run.
     fn unsure_loop_ends(&mut self, span: usize) -> Step {
         self.forget();
         if let Some((at, Open::Unsure(_))) = self.opened(span) {
@@ -544,7 +544,7 @@ impl Machine {
         Step::AsWritten
     }
 
-    /// Out of a loop of a label (true), or on to its next round.
+    /// Leaves a loop with a label (true), or continues with its next round.
     pub(super) fn leaves_loop(&mut self, label: &str, is_break: bool) -> Step {
         let first = self.frames.last().map_or(0, |frame| frame.open);
         let own = |open: &Open| {
@@ -556,11 +556,11 @@ impl Machine {
             .rposition(own)
             .map(|at| first + at)
         else {
-            // Below the loop that an unknown condition leaves.
+            // The line below the loop that an unknown condition leaves.
             return self.leap(None, Place { at: 0, line: 0 });
         };
         let span = self.open[at].span();
-        // It may leave the loop here, or a round of it.
+        // It may leave the loop here, or one of its rounds.
         if self.is_guarded() {
             self.leaps_to(NOWHERE);
             // It makes no further round, which would be as unknown as this one.
@@ -582,7 +582,7 @@ impl Machine {
         Step::to(end.map(|(here, _)| here))
     }
 
-    /// Gives a variable a value, where that is sure. Of an unknown value the reader reports that it is computed.
+    /// Sets a variable, if that is certain. For an unknown value the reader reports that it is computed.
     pub(super) fn sets(&mut self, key: Key, value: Value) -> Step {
         let value = if self.is_sure() {
             value
@@ -596,7 +596,7 @@ impl Machine {
         }
     }
 
-    /// A word of a structure, with what follows it.
+    /// A word of a structure, with the text after it.
     pub(super) fn structure_word(
         &mut self,
         keyword: Keyword,
@@ -611,7 +611,7 @@ impl Machine {
         self.structure(keyword, value, here)
     }
 
-    /// `FOR I=1 TO 5`: counts up by one, and goes on as long as the last value is not passed.
+    /// `FOR I=1 TO 5`: counts up by one until the last value is passed.
     fn counts(&mut self, code: &[u8], rest: usize, here: Place) -> Option<Value> {
         let mut cursor = Cursor::new(code, rest, &self.variables);
         let key = cursor.key()?;
@@ -630,7 +630,7 @@ impl Machine {
         Some(Value::Number(f64::from(u8::from(now <= last))))
     }
 
-    /// Whether a loop runs: its next round begins.
+    /// Whether a loop runs, so that its next round begins.
     fn is_running(&self, here: Place) -> bool {
         let span = self.index.span_at(here.line);
         let open = span.and_then(|span| self.opened(span));
@@ -655,8 +655,8 @@ impl Machine {
         Some(Step::Enter(begin))
     }
 
-    /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or what an unknown condition leaves. Each call ends
-    /// those up to the first of these; `None` if there is nothing more to end.
+    /// Ends the structures that end before a line by its indentation: the next round of a loop, or the end of an unknown condition. Each call ends those up to
+    /// the first of these; `None` if nothing is left to end.
     pub fn dedents(&mut self, line: usize) -> Option<Step> {
         while let Some(open) = self.open.last().copied() {
             let span = open.span();
@@ -680,7 +680,7 @@ impl Machine {
         None
     }
 
-    /// How many rounds the innermost loop of this call has made; of one that begins in this line none.
+    /// Rounds that the innermost loop of this call has made; for one that begins on this line 0.
     pub(super) fn rounds(&self, here: Place) -> Value {
         let own = self.index.span_at(here.line);
         let begins = own.is_some_and(|span| {
@@ -700,7 +700,7 @@ impl Machine {
         innermost.unwrap_or(Value::Unknown)
     }
 
-    /// A block of a word that stops the program, or that does nothing here.
+    /// A block with a word that stops the program or has no effect here.
     pub(super) fn plain_word(&self, code: &[u8]) -> Option<Step> {
         let grammar = self.variables.grammar;
         let word = Cursor::new(code, 0, &self.variables).name()?;
@@ -721,7 +721,7 @@ impl Machine {
         })
     }
 
-    /// What becomes of a block, whose code begins at `begin`.
+    /// Treatment of a block, whose code begins at `begin`.
     fn block(
         &mut self,
         line: &[u8],
@@ -739,17 +739,17 @@ impl Machine {
         }
     }
 
-    /// The registers of the control that the last line has written as variables, with their values: NaN is not known.
+    /// Registers of the control that the last line has written as variables, with their values: NaN is unknown.
     pub fn written(&mut self) -> Vec<(Variable, f64)> {
         std::mem::take(&mut self.written)
     }
 
-    /// Lines in which a division by zero was asked for.
+    /// Lines with a division by zero.
     pub fn divisions(&self) -> Vec<u32> {
         self.variables.divisions()
     }
 
-    /// A block begins, in a line; false where the program has run for too long.
+    /// Begins a block on a line; false if the run is too long.
     pub fn begins_block(&mut self, line: usize) -> bool {
         self.blocks += 1;
         self.variables.line = line;
@@ -757,7 +757,7 @@ impl Machine {
         self.blocks <= MOST_BLOCKS && self.open.len() <= MOST_OPEN
     }
 
-    /// What becomes of the line at `here`; `inside` is how many M98 calls are under way.
+    /// Treatment of the line at `here`; `inside` is the number of active M98 calls.
     pub fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
         if !self.begins_block(here.line) {
             return Step::Stop;
@@ -765,7 +765,7 @@ impl Machine {
         if let Some(step) = self.dedents(here.line) {
             return step;
         }
-        // A file that was called is over.
+        // A called file has ended.
         if self
             .frames
             .last()
@@ -778,7 +778,7 @@ impl Machine {
         if !head.skips {
             return self.block(line, head.end, here, next, inside);
         }
-        // With block skip on, the control leaves it out.
+        // With block skip on, the control omits it.
         if self.turns_off(&line[head.end..]) {
             return self.leap(None, next);
         }
@@ -795,7 +795,7 @@ impl Machine {
         }
     }
 
-    /// Nothing is known of any variable: something else may have set them.
+    /// Forgets all variables: something else may have set them.
     pub fn forget(&mut self) {
         self.variables.forget();
     }
@@ -808,7 +808,7 @@ impl Machine {
         }
     }
 
-    /// The lines of a subprogram end without a way back, at the end of the text or at the next program.
+    /// The lines of a subprogram end without a return, at the end of the text or at the next program.
     pub fn fall_out(&mut self, at_end: bool) -> Option<Place> {
         self.frames
             .last()
@@ -830,18 +830,18 @@ impl Machine {
         !self.frames.is_empty()
     }
 
-    /// What the control itself knows before the next block.
+    /// Sets the values of the control before the next block.
     pub fn sees(&mut self, system: System) {
         self.runs = true;
         self.variables.system = system;
     }
 
-    /// The variables that were read before anything set them.
+    /// Variables that were read before anything set them.
     pub fn asks(&self) -> Vec<Ask> {
         self.variables.asks()
     }
 
-    /// The next subroutine that nothing calls: its name, and where it begins, from which it comes back to `end`.
+    /// The next subroutine that nothing calls: name, and start. It returns to `end`.
     pub fn uncalled(&mut self, end: Place) -> Option<(String, Place)> {
         let own = self.uncalled.pop()?;
         while !self.frames.is_empty() {

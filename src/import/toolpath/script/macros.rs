@@ -1,4 +1,4 @@
-//! Word address languages: O words of LinuxCNC, macro B of Fanuc and kin.
+//! Word-address languages: O words of LinuxCNC, macro B of Fanuc and compatible controls.
 
 use crate::control::iso::lex::{end_of_value, program_number};
 use crate::import::toolpath::calls::Place;
@@ -15,10 +15,10 @@ use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::writes;
 use crate::num::decimal;
 
-/// What a block assigns.
+/// Assignments of a block.
 type Assigned = Vec<(Key, Value)>;
 
-/// The letters of the arguments of a G65, and the variables that they set.
+/// Letters of the arguments of a G65, with their variables.
 const ARGUMENTS: [(u8, i32); 21] = [
     (b'A', 1),
     (b'B', 2),
@@ -43,7 +43,7 @@ const ARGUMENTS: [(u8, i32); 21] = [
     (b'Z', 26),
 ];
 
-/// Whether a text computes, jumps or calls at all: the others are read as they are written.
+/// Whether a text computes, jumps or calls: others are read as written.
 pub fn is_macro(text: &str) -> bool {
     let bytes = text.as_bytes();
     let computes = memchr::memchr3(b'#', b'[', b'<', bytes).is_some();
@@ -81,7 +81,7 @@ impl Machine {
         }
     }
 
-    /// Whether a block changes the way of the program, and not only what is set.
+    /// Whether a block changes the course of the program, and not only values.
     pub(super) fn turns_off(&self, code: &[u8]) -> bool {
         is_flow(code)
             || o_word(code).is_some_and(|word| word.keyword.jumps())
@@ -99,7 +99,7 @@ impl Machine {
     ) -> Step {
         let code = &line[begin..];
         match code.first().map(u8::to_ascii_uppercase) {
-            // The next program begins: the one that was called is over.
+            // The next program begins: the called one has ended.
             Some(b'O') if program_number(code).is_some() => Step::to(self.fall_out(false)),
             Some(b'O') => match o_word(code) {
                 Some(word) => self.o_word(word, code, here, next),
@@ -125,7 +125,7 @@ impl Machine {
         }
     }
 
-    /// `o<name> call [5]`, `o1 if [#2 GT 0]` and their kin.
+    /// `o<name> call [5]`, `o1 if [#2 GT 0]` and similar words.
     pub(super) fn o_word(
         &mut self,
         word: Structure,
@@ -155,7 +155,7 @@ impl Machine {
         }
     }
 
-    /// What a subroutine returns. The interpreter sets both to 0 where no value is returned.
+    /// Return value of a subroutine. The interpreter sets both variables to 0 if no value is returned.
     fn returns(&mut self, value: Option<Value>, is_returned: bool) {
         let none = if is_returned {
             Value::Unknown
@@ -194,7 +194,7 @@ impl Machine {
             .map(|own| (own.begin, own.end))
             .filter(|_| is_understood && self.may_call());
         let Some((begin, end)) = own else {
-            // It may set any variable but the locals here.
+            // It may set any variable except the local ones.
             self.variables.forget_shared();
             return Step::AsWritten;
         };
@@ -235,7 +235,7 @@ impl Machine {
         self.jump(to, holds, next)
     }
 
-    /// The block of a number that a jump from above `next` goes to.
+    /// Block with a number, for a jump from above `next`.
     fn block_number(&self, number: f64, next: Place) -> Option<Place> {
         self.index.target(&decimal(number.trunc(), 0), next.line)
     }
@@ -255,7 +255,7 @@ impl Machine {
         }
     }
 
-    /// `G65 P100 A5. Z-3.` and `M99`: into a macro of the same text and back; none for any other block.
+    /// `G65 P100 A5. Z-3.` and `M99`: into a macro in the same text and back; `None` for any other block.
     fn macro_word(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
         if begins(code, b"G65") {
             return self.macro_call(code, next, inside);
@@ -277,7 +277,7 @@ impl Machine {
             None
         };
         let back = self.leave()?;
-        // To a block of the program that called, by its number.
+        // To a block of the calling program, by its number.
         let to = block.map_or(Some(back), |number| self.block_number(number?, back));
         if to.is_none() {
             self.leap(None, back);
@@ -285,7 +285,7 @@ impl Machine {
         Some(Step::Leave(to.unwrap_or(back)))
     }
 
-    /// `None` if the text has no such program, it is called more than once, or its arguments are not understood.
+    /// `None` if the text has no such program, repeats the call, or the arguments are not understood.
     fn macro_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
         let mut arguments: Vec<(Key, Value)> = Vec::new();
         let mut program = None;
@@ -297,7 +297,7 @@ impl Machine {
             match (letter, ARGUMENTS.iter().find(|(known, _)| *known == letter)) {
                 (b'P', _) => program = value.number(),
                 (b'L', _) if value == Value::Number(1.0) => {}
-                // I, J and K may come ten times: #4 to #6, then #7 to #9, and so on.
+                // I, J and K may occur ten times: #4 to #6, then #7 to #9, and so on.
                 (b'I'..=b'K', Some((_, first))) => {
                     let times = centers[usize::from(letter - b'I')];
                     centers[usize::from(letter - b'I')] += 1;
@@ -325,14 +325,14 @@ impl Machine {
         Some(Step::Enter(begin))
     }
 
-    /// A block of words: what is known in it becomes numbers, and what it assigns is set.
+    /// A block of words: known values in it become numbers, and its assignments are made.
     pub(super) fn words(&mut self, line: &[u8], begin: usize) -> Step {
         let computes = |b: &u8| matches!(b, b'#' | b'[' | b'@' | b'{');
         if !line[begin..].iter().any(computes) {
             return Step::AsWritten;
         }
         let Some((out, sets, valued)) = self.expanded(line, begin) else {
-            // What it assigns may be to any variable.
+            // Its assignments may be to any variable.
             if line.contains(&b'=') {
                 self.forget();
             }
@@ -340,7 +340,7 @@ impl Machine {
         };
         self.valued |= valued;
         let linuxcnc = self.variables.is_linuxcnc();
-        // On LinuxCNC all take effect after the block; of a Fanuc that is not known here.
+        // On LinuxCNC all take effect after the block; for a Fanuc that is unknown here.
         let sure = self.is_sure() && (sets.len() < 2 || linuxcnc);
         // An alarm with a message: the program stops.
         let alarm = !linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
@@ -364,7 +364,7 @@ impl Machine {
         match out[begin..].trim_ascii().is_empty() {
             // Another finding reports the division by zero.
             true if assigns && (known || self.variables.has_divided()) => Step::Done,
-            // The reader reports an assignment of an unknown value. It would take `@` for a polar radius.
+            // The reader reports an assignment of an unknown value. It would treat `@` as a polar radius.
             true if assigns && self.variables.grammar.language == Language::Lnc => {
                 Step::Read(b"#0=#0".to_vec())
             }
@@ -373,7 +373,7 @@ impl Machine {
         }
     }
 
-    /// A block with numbers in place of known values, its assignments, and the axes whose positions are computed; `None` if it is not understood.
+    /// A block with numbers in place of known values, its assignments, and the axes with computed positions; `None` if it is not understood.
     fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned, Axes)> {
         let language = self.variables.grammar.language;
         let (mut out, mut sets, mut valued) = (line[..begin].to_vec(), Vec::new(), 0);
@@ -401,7 +401,7 @@ impl Machine {
                         valued |= 1 << (axis - b'X');
                     }
                     if language == Language::RepRap {
-                        // An unknown value is written as a macro variable: the reader takes it for a computed value.
+                        // An unknown value is written as a macro variable: the reader treats it as computed.
                         match value {
                             Some(Value::Number(x)) => number(&mut out, x),
                             _ => out.extend_from_slice(b"[#0]"),
@@ -425,7 +425,7 @@ impl Machine {
     }
 }
 
-/// `M115 /X20 P15 F100 L1` as a G31: its axis, its feed, and what a contact means. With L1 nothing is meant by it.
+/// `M115 /X20 P15 F100 L1` as a G31: axis, feed, and meaning of a contact. With L1 a contact has no meaning.
 fn probing_move(code: &[u8], probing: &[(&str, &str)]) -> Option<Vec<u8>> {
     let (word, meaning) = probing.iter().find(|(word, _)| {
         code.get(..word.len())
@@ -436,7 +436,7 @@ fn probing_move(code: &[u8], probing: &[(&str, &str)]) -> Option<Vec<u8>> {
     let (axis, rest) = rest.split_first()?;
     let mut block = vec![b'G', b'3', b'1', b' ', *axis];
     let value = value_end(rest);
-    // Without a value it goes on until a limit.
+    // Without a value it moves to a limit.
     block.extend_from_slice(if value == 0 { b"[#0]" } else { &rest[..value] });
     let mut rest = &rest[value..];
     let mut may_miss = false;
@@ -457,7 +457,7 @@ fn probing_move(code: &[u8], probing: &[(&str, &str)]) -> Option<Vec<u8>> {
     Some(block)
 }
 
-/// Where the value ends that a text begins with: a number, a variable, brackets, with a sign.
+/// End of the value at the start of a text: a number, a variable, brackets, with a sign.
 fn value_end(text: &[u8]) -> usize {
     let signed = text
         .iter()
@@ -476,7 +476,7 @@ fn value_end(text: &[u8]) -> usize {
     }
 }
 
-/// Behind the brace that closes the next one of a line.
+/// Position after the closing brace of the next opening one.
 fn closing(line: &[u8], from: usize) -> usize {
     let mut depth = 0;
     let end = line[from..].iter().position(|b| {
@@ -490,7 +490,7 @@ fn closing(line: &[u8], from: usize) -> usize {
     end.map_or(line.len(), |end| from + end + 1)
 }
 
-/// A number as a word has it, with its point: a Fanuc counts one without in the smallest step.
+/// A number in a word, with its point: a Fanuc counts one without in the smallest step.
 fn number(out: &mut Vec<u8>, x: f64) {
     let mut text = decimal(x, 9);
     if !text.contains('.') {

@@ -1,4 +1,4 @@
-//! The languages of programs that compute and jump. One machine runs them; what they differ in is rows of a grammar, and the words of each.
+//! Languages of programs that compute and jump. One machine runs them; their differences are rows of a grammar, and their own words.
 
 pub mod expression;
 pub mod grammar;

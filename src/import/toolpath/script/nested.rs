@@ -41,7 +41,7 @@ impl Machine {
             return step;
         }
         match self.macro_block(plain, begin, here, next, inside) {
-            // Without its comment the reader understands it.
+            // The reader understands it without its comment.
             Step::AsWritten if plain.len() < line.len() => Step::Read(plain.to_vec()),
             step => step,
         }
@@ -82,7 +82,7 @@ impl Machine {
         let name = cursor.name()?.to_ascii_uppercase();
         let name = name.strip_prefix(b"W_")?;
         let values = cursor.list()?;
-        // NaN as a number is 0: no offset and no axis.
+        // NaN converted to an integer is 0: no offset and no axis.
         let number = |at: usize| values.get(at).map_or(f64::NAN, |value| value.or_nan());
         let (which, axis) = (number(1) as i32, number(2) as usize);
         let offset = match (name, which) {

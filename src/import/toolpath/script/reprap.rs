@@ -74,7 +74,7 @@ impl Machine {
         let is_whole = cursor.is_done();
         let value = value.filter(|_| is_whole).unwrap_or(Value::Unknown);
         if let (Key::Name(name), false) = (&key, is_whole) {
-            // A list of values, which are not followed.
+            // A list of values, which is not followed.
             self.variables.forget_elements(name);
         }
         Some(self.sets(key, value))

@@ -1,4 +1,4 @@
-//! SINUMERIK: its words behind those of structures, by its programming manual.
+//! SINUMERIK: its words after those of structures, by its programming manual.
 
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
@@ -10,7 +10,7 @@ use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::writes;
 use crate::num::decimal;
 
-/// The words of jumps.
+/// Words of jumps.
 const JUMPS: [&str; 4] = ["GOTOF", "GOTOB", "GOTOC", "GOTO"];
 
 impl Machine {
@@ -81,7 +81,7 @@ impl Machine {
         if is_known {
             return Step::Done;
         }
-        // It may go on at any of the labels.
+        // It may continue at any of the labels.
         self.leap(None, next);
         Step::Astray
     }
@@ -156,7 +156,7 @@ impl Machine {
         Some(Step::Enter(own.begin))
     }
 
-    /// A block of words: what is known in it becomes numbers, and what it assigns is set.
+    /// A block of words: known values in it become numbers, and its assignments are made.
     fn assignments(&mut self, code: &[u8]) -> Step {
         if !code.contains(&b'=') {
             return Step::AsWritten;
@@ -193,7 +193,7 @@ impl Machine {
             if is_address(name) {
                 let (wrap, value) = address(&mut cursor);
                 let Some(value) = value else {
-                    // What is not understood the reader reports.
+                    // The reader reports text that is not understood.
                     out.extend_from_slice(&code[before..]);
                     break;
                 };
@@ -202,7 +202,7 @@ impl Machine {
                     self.valued |= 1 << (axis - b'X');
                 }
                 at = cursor.at;
-                // An unknown value is written as a variable: the reader takes it for a computed value.
+                // An unknown value is written as a variable: the reader treats it as computed.
                 let value = value
                     .number()
                     .map_or("R0".to_owned(), |value| decimal(value, 9));
@@ -252,13 +252,13 @@ impl Machine {
     }
 }
 
-/// The label that a jump goes to: `GOTOF END`, `GOTOB`, `GOTO`.
+/// Target label of a jump: `GOTOF END`, `GOTOB`, `GOTO`.
 fn jump(cursor: &mut Cursor<'_>) -> Option<String> {
     JUMPS.iter().any(|word| cursor.eat(word)).then_some(())?;
     Some(String::from_utf8_lossy(cursor.name()?).into_owned())
 }
 
-/// The value of an address, or one in `IC( )`, `AC( )`, `DC( )`.
+/// Value of an address, or one in `IC( )`, `AC( )`, `DC( )`.
 fn address(cursor: &mut Cursor<'_>) -> (Option<&'static str>, Option<Value>) {
     for wrap in ["IC", "AC", "DC", "ACP", "ACN"] {
         if cursor.eat(wrap) {
@@ -268,7 +268,7 @@ fn address(cursor: &mut Cursor<'_>) -> (Option<&'static str>, Option<Value>) {
     (None, cursor.value())
 }
 
-/// Whether what is assigned is an address of the control, and no variable.
+/// Whether an assignment is to an address of the control instead of a variable.
 fn is_address(word: &[u8]) -> bool {
     const WORDS: [&[u8]; 15] = [
         b"RPL", b"CR", b"AR", b"AP", b"RP", b"MEAS", b"MEAW", b"SPOS", b"SPOSA", b"RND", b"RNDM",

@@ -1,4 +1,4 @@
-//! What a block is, before anything in it is computed: a word of a structure, an end, a jump.
+//! Kind of a block, before anything in it is computed: a word of a structure, an end, a jump.
 
 use crate::control::iso::lex::{comment_at, end_of_value, head};
 use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language, O_WORDS};
@@ -7,26 +7,26 @@ use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language, O_WOR
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     pub keyword: Keyword,
-    /// The label of the structure; empty if structures are nested and have no labels.
+    /// Label of the structure; empty if structures are nested and have no labels.
     pub label: String,
-    /// Where in the code the rest begins: a condition, a count, arguments.
+    /// Start of the rest in the code: a condition, a count, arguments.
     pub rest: usize,
 }
 
-/// What a block does to the way of the program, where it does.
+/// Effect of a block on the course of the program.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Turn {
-    /// It ends the program: by an alarm (true), or as planned.
+    /// Ends the program: with an alarm (true), or as planned.
     Ends(bool),
-    /// It goes back to a caller.
+    /// Returns to a caller.
     Back,
-    /// It jumps to a block; always (true), or under a condition.
+    /// Jumps to a block; unconditionally (true), or under a condition.
     Jumps(String, bool),
-    /// It jumps to a block that is not known.
+    /// Jumps to an unknown block.
     Somewhere,
 }
 
-/// The word of a structure that a block begins with. The code is without its number, on a SINUMERIK without its label.
+/// The word of a structure at the start of a block. The code is without its number, on a SINUMERIK without its label.
 pub fn structure(code: &[u8], grammar: &Grammar) -> Option<Structure> {
     if !grammar.words.is_empty() {
         return nested(code, grammar);
@@ -38,7 +38,7 @@ pub fn structure(code: &[u8], grammar: &Grammar) -> Option<Structure> {
     }
 }
 
-/// An O word; none with a computed label.
+/// An O word; `None` with a computed label.
 pub fn o_word(code: &[u8]) -> Option<Structure> {
     let rest = code.get(1..)?;
     let length = match rest.first()? {
@@ -133,7 +133,7 @@ fn nested(code: &[u8], grammar: &Grammar) -> Option<Structure> {
     Some(own)
 }
 
-/// Whether a statement follows the condition of an `IF […] THEN` in its line.
+/// Whether a statement follows the condition of an `IF […] THEN` on its line.
 fn has_statement(rest: &[u8]) -> bool {
     let rest = rest.trim_ascii_start();
     if rest.first() != Some(&b'[') {
@@ -160,7 +160,7 @@ fn has_statement(rest: &[u8]) -> bool {
     statement.first().is_some_and(|b| *b != b'(')
 }
 
-/// Whether a block is one of a Fanuc's that jump or loop.
+/// Whether a block is a jump or loop of a Fanuc.
 pub fn is_flow(code: &[u8]) -> bool {
     let follows = |word: &str, next: fn(u8) -> bool| {
         code.get(..word.len())
@@ -179,7 +179,7 @@ pub fn is_flow(code: &[u8]) -> bool {
         || follows("DO", digit)
 }
 
-/// What a block does to the way of the program.
+/// Effect of a block on the course of the program.
 pub fn turn(code: &[u8], grammar: &Grammar) -> Option<Turn> {
     let word = name(code);
     if grammar
@@ -250,7 +250,7 @@ fn sinumerik_turn(code: &str) -> Option<Turn> {
     Some(Turn::Jumps(target.to_owned(), at == 0))
 }
 
-/// The label that a SINUMERIK's block in capitals begins with: `NAME:`.
+/// Label at the start of a SINUMERIK block in capitals: `NAME:`.
 pub fn label(code: &[u8]) -> Option<&[u8]> {
     let label = name(code);
     let begins = label
@@ -259,32 +259,32 @@ pub fn label(code: &[u8]) -> Option<&[u8]> {
     (begins && code.get(label.len()) == Some(&b':')).then_some(label)
 }
 
-/// A SINUMERIK's block without the label in front of it.
+/// A SINUMERIK block without its label.
 pub fn without_label(code: &[u8]) -> &[u8] {
     label(code).map_or(code, |label| code[label.len() + 1..].trim_ascii_start())
 }
 
-/// A SINUMERIK's block in capitals, without its number and its comment, but with its label.
+/// A SINUMERIK block in capitals, without its number and its comment, but with its label.
 pub fn capitals(line: &[u8]) -> Vec<u8> {
     let code = &line[head(line).end..];
     without_comment(code, None).to_ascii_uppercase()
 }
 
-/// A line without the comment that ends it.
+/// A line without the comment at its end.
 pub fn without_comment<'l>(line: &'l [u8], sign: Option<&str>) -> &'l [u8] {
     let end = comment_at(line, false).unwrap_or(line.len());
     let own = sign.and_then(|sign| memchr::memmem::find(&line[..end], sign.as_bytes()));
     line[..own.unwrap_or(end)].trim_ascii()
 }
 
-/// A block of a HEIDENHAIN's ISO without its number and the `*` that ends it, in capitals.
+/// A block of HEIDENHAIN's ISO without its number and the final `*`, in capitals.
 pub fn heidenhain_code(line: &[u8]) -> String {
     let code = without_comment(&line[head(line).end..], None).to_ascii_uppercase();
     let code = String::from_utf8_lossy(&code);
     code.strip_suffix('*').unwrap_or(&code).trim().to_owned()
 }
 
-/// The number of `G98 L5`.
+/// Number of `G98 L5`.
 pub fn heidenhain_label(code: &str) -> Option<u32> {
     code.strip_prefix("G98")?
         .trim_start()
@@ -294,7 +294,7 @@ pub fn heidenhain_label(code: &str) -> Option<u32> {
         .ok()
 }
 
-/// What a block of a HEIDENHAIN's ISO does to the way of the program.
+/// Effect of a block of HEIDENHAIN's ISO on the course of the program.
 pub fn heidenhain_turn(code: &str) -> Option<Turn> {
     match (heidenhain_label(code), code.get(..3)) {
         (Some(0), _) => Some(Turn::Back),
@@ -307,7 +307,7 @@ pub fn heidenhain_turn(code: &str) -> Option<Turn> {
     }
 }
 
-/// The operand P01, P02 or P03 of a D code.
+/// Operand P01, P02 or P03 of a D code.
 pub fn d_part<'c>(code: &'c str, name: &str) -> Option<&'c str> {
     let (_, rest) = code.split_once(name)?;
     Some(rest.split(" P").next().unwrap_or_default().trim())
@@ -328,7 +328,7 @@ pub fn begins(code: &[u8], word: &[u8; 3]) -> bool {
         && !code.get(3).is_some_and(u8::is_ascii_digit)
 }
 
-/// The letters, digits and underlines that a text begins with.
+/// Letters, digits and underscores at the start of a text.
 fn name(code: &[u8]) -> &[u8] {
     let is_name = |b: &&u8| b.is_ascii_alphanumeric() || **b == b'_';
     &code[..code.iter().take_while(is_name).count()]

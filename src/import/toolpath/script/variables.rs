@@ -1,4 +1,4 @@
-//! The variables of a program while it runs: what it sets, what the control sets, what the user knows, and what is asked for.
+//! Variables of a running program: set by the program, the control or the user; and the values that are asked for.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,18 +8,18 @@ use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::script::grammar::{Grammar, Language};
 use crate::import::toolpath::system::System;
 
-/// What a variable or an expression comes to.
+/// Value of a variable or an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     Number(f64),
-    /// It cannot be known here.
+    /// Unknown here.
     Unknown,
-    /// `#0`, or an argument that a call does not give, on a Fanuc: a word with it is left out.
+    /// `#0`, or an argument that a call does not give, on a Fanuc: a word with it is omitted.
     Empty,
 }
 
 impl Value {
-    /// A number; not finite is not known.
+    /// A number; not finite is unknown.
     pub fn of(x: f64) -> Value {
         if x.is_finite() {
             Value::Number(x)
@@ -36,22 +36,22 @@ impl Value {
         }
     }
 
-    /// The number; NaN where it is not known, or none is given.
+    /// The number; NaN if it is unknown or empty.
     pub fn or_nan(self) -> f64 {
         self.number().unwrap_or(f64::NAN)
     }
 
-    /// Whether a condition holds, where that is known.
+    /// Whether a condition holds, if that is known.
     pub fn holds(self) -> Option<bool> {
         self.number().map(|truth| truth != 0.0)
     }
 }
 
-/// The variables of one call, or those of all.
+/// Variables of one call, or the shared ones.
 #[derive(Debug, Default)]
 struct Level {
     set: BTreeMap<Key, Value>,
-    /// Something else may have set any of them since.
+    /// Whether something else may have set any of them since.
     lost: bool,
     /// Whether a value was set since then.
     is_set: bool,
@@ -74,30 +74,30 @@ impl Level {
     }
 }
 
-/// The variables that a program sets.
+/// Variables that a program sets.
 #[derive(Debug)]
 pub struct Variables {
     pub grammar: &'static Grammar,
-    /// What the control itself puts into variables.
+    /// Values that the control sets.
     pub system: System,
-    /// The line that is run.
+    /// The current line.
     pub line: usize,
     globals: Level,
     levels: Vec<Level>,
-    /// What the user knows of variables.
+    /// The user's values of variables.
     given: BTreeMap<Key, f64>,
-    /// Whether the user gives an argument: then those that are not given are none.
+    /// Whether the user gives an argument: then missing ones are empty.
     is_given: bool,
-    /// What the text has set so far.
+    /// Variables that the text has set so far.
     assigned: BTreeSet<Key>,
-    /// What was read and is not known, with the lines.
+    /// Unknown variables that were read, with the lines.
     asked: RefCell<BTreeMap<Key, Vec<u32>>>,
-    /// Lines in which a division by zero was asked for.
+    /// Lines with a division by zero.
     divided: RefCell<Vec<u32>>,
 }
 
 impl Variables {
-    /// `set` is what the user knows, by the names in a text.
+    /// `set` has the user's values, by the names in a text.
     pub fn new(grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
         let given: BTreeMap<Key, f64> = set
             .iter()
@@ -121,17 +121,17 @@ impl Variables {
         self.grammar.language == Language::LinuxCnc
     }
 
-    /// Lines in which a division by zero was asked for.
+    /// Lines with a division by zero.
     pub fn divisions(&self) -> Vec<u32> {
         self.divided.borrow().clone()
     }
 
-    /// Whether the line that is run divides by zero.
+    /// Whether the current line divides by zero.
     pub fn has_divided(&self) -> bool {
         self.divided.borrow().last() == Some(&(self.line as u32))
     }
 
-    /// The line that is run divides by zero.
+    /// Records that the current line divides by zero.
     pub fn divides_by_zero(&self) {
         const MOST: usize = 1000;
         let mut divided = self.divided.borrow_mut();
@@ -141,7 +141,7 @@ impl Variables {
         }
     }
 
-    /// The variables that were read before anything set them.
+    /// Variables that were read before anything set them.
     pub fn asks(&self) -> Vec<Ask> {
         let asked = self.asked.borrow();
         asked
@@ -155,7 +155,7 @@ impl Variables {
             .collect()
     }
 
-    /// The arguments that the user gives of a subroutine that nothing calls.
+    /// The user's arguments for a subroutine that nothing calls.
     fn given_arguments(&self) -> Vec<(Key, Value)> {
         let local = |(key, value): (&Key, &f64)| match key {
             Key::Number(_) if self.is_local(key) => Some((key.clone(), Value::Number(*value))),
@@ -164,7 +164,7 @@ impl Variables {
         self.given.iter().filter_map(local).collect()
     }
 
-    /// What the user knows of a variable, who is asked for it otherwise.
+    /// The user's value of a variable; without one the user is asked for it.
     fn given_or_asked(&self, key: &Key) -> Value {
         const MOST_ASKED: usize = 200;
         const MOST_LINES: usize = 1000;
@@ -182,7 +182,7 @@ impl Variables {
         Value::Unknown
     }
 
-    /// Into a call with these arguments.
+    /// Enters a call with these arguments.
     pub fn enter(&mut self, arguments: Vec<(Key, Value)>) {
         self.levels.push(Level {
             set: arguments.into_iter().collect(),
@@ -197,7 +197,7 @@ impl Variables {
         }
     }
 
-    /// Local to a call: LinuxCNC's arguments are #1 to #30, those of a Fanuc #1 to #33, a SINUMERIK's are those that it defines.
+    /// Whether a variable is local to a call: #1 to #30 on LinuxCNC, #1 to #33 on a Fanuc, those that it defines on a SINUMERIK.
     fn is_local(&self, key: &Key) -> bool {
         match (self.grammar.language, key) {
             (_, Key::Unknown) | (Language::Heidenhain, _) => false,
@@ -248,7 +248,7 @@ impl Variables {
         if let Some(value) = self.system.get(own, self.grammar.language) {
             return match value {
                 Some(value) => Value::Number(value),
-                // Which tool is in the spindle a user knows; where a touch ended is what `part` says.
+                // The user knows which tool is in the spindle; `part` gives the end of a touch.
                 None if System::is_set_up(key) => self.given_or_asked(key),
                 None => self
                     .given
@@ -268,14 +268,14 @@ impl Variables {
         if let Some(value) = level.set.get(key) {
             return *value;
         }
-        // What a call of RepRapFirmware does not give is not there.
+        // An argument that a call of RepRapFirmware does not give does not exist.
         if is_param(key) && self.levels.len() > 1 {
             return Value::Unknown;
         }
         let is_argument = matches!(key, Key::Number(_)) && self.is_local(key);
         match self.given.get(key) {
             Some(value) => Value::Number(*value),
-            // In a call, what is not given is 0 on LinuxCNC and nothing on a Fanuc.
+            // In a call a missing argument is 0 on LinuxCNC and empty on a Fanuc.
             None if is_argument && !level.lost && (self.levels.len() > 1 || self.is_given) => {
                 if self.is_linuxcnc() {
                     Value::Number(0.0)
@@ -283,13 +283,13 @@ impl Variables {
                     Value::Empty
                 }
             }
-            // What something else may have set, where the text itself does: that is not the user's to say.
+            // Something else may have set a variable that the text sets itself: the user is not asked for it.
             None if level.lost && self.assigned.contains(key) => Value::Unknown,
             None => self.given_or_asked(key),
         }
     }
 
-    /// Whether a variable was set: 1 or 0, where that is known.
+    /// Whether a variable was set: 1 or 0, if that is known.
     pub fn exists(&self, key: &Key) -> Value {
         let level = self.level_of(key);
         if self.grammar.is_indented {
@@ -297,14 +297,14 @@ impl Variables {
         }
         match (key, level.set.get(key)) {
             (Key::Number(_), _) => Value::Number(1.0),
-            // Of one without a known value it is not known whether it was set at all.
+            // For a variable without a known value it is unknown whether it was set.
             (Key::Name(_), Some(Value::Number(_))) => Value::Number(1.0),
             (Key::Name(_), None) if self.is_local(key) && !level.lost => Value::Number(0.0),
             _ => Value::Unknown,
         }
     }
 
-    /// Whether RepRapFirmware knows a name: one that the text sets, or an argument. Where one argument is given, the others are not.
+    /// Whether RepRapFirmware knows a name: one that the text sets, or an argument. If one argument is given, the missing ones do not exist.
     fn is_given(&self, key: &Key) -> Value {
         if self.level_of(key).set.contains_key(key) {
             return Value::Number(1.0);
@@ -320,7 +320,7 @@ impl Variables {
         }
     }
 
-    /// Gives a variable a value; where it is not known which one, any of them may have changed.
+    /// Sets a variable; if it is unknown which one, any of them may have changed.
     pub fn set(&mut self, key: Key, value: Value) {
         if key == Key::Unknown {
             return self.forget();
@@ -335,7 +335,7 @@ impl Variables {
         level.insert(key, value);
     }
 
-    /// A variable of this call alone.
+    /// Defines a variable of this call.
     pub fn define(&mut self, key: Key, value: Value) {
         self.assigned.insert(key.clone());
         if let Some(level) = self.levels.last_mut() {
@@ -343,7 +343,7 @@ impl Variables {
         }
     }
 
-    /// Nothing is known of the elements of a list.
+    /// The elements of a list are unknown.
     pub fn forget_elements(&mut self, name: &str) {
         let is_element = |key: &Key| {
             matches!(key, Key::Name(own) if own
@@ -358,13 +358,13 @@ impl Variables {
             .for_each(|(_, value)| *value = Value::Unknown);
     }
 
-    /// Its value comes from the control, which the user may know.
+    /// The control has set it; the user may know the value.
     pub fn set_by_control(&mut self, key: Key) {
         let value = self.given_or_asked(&key);
         self.set(key, value);
     }
 
-    /// Into a subroutine that nothing calls, with the arguments that the user gives: where there is one, others are not given.
+    /// Enters a subroutine that nothing calls, with the user's arguments: if there is one, missing ones are not given.
     pub fn enter_uncalled(&mut self) {
         let arguments = self.given_arguments();
         self.forget();
@@ -380,7 +380,7 @@ impl Variables {
         self.globals.forget();
     }
 
-    /// Nothing is known of any variable.
+    /// Forgets all variables.
     pub fn forget(&mut self) {
         self.levels.iter_mut().for_each(Level::forget);
         self.globals.forget();
