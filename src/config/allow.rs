@@ -1,7 +1,7 @@
 //! Choices that a config allows, and parts that the page hides.
 
 use crate::config::list::{list_of, some_of};
-use crate::control::{Form, POSTS};
+use crate::control::{POSTS, ProgramForm};
 use crate::cycle::CYCLES;
 use crate::form::{Checker, Field, Section, Value, form};
 use crate::job::Units;
@@ -53,7 +53,7 @@ impl Allow {
             )
         };
         let (cycles, controls) = (words("cycles", &cycles()), words("controls", &controls()));
-        let forms = words("forms", &Form::ALL.map(Form::word));
+        let forms = words("forms", &ProgramForm::ALL.map(ProgramForm::word));
         let units = words("units", &[Units::Mm.word(), Units::Inch.word()]);
         let work_offset = |item: &Value| match item {
             Value::Null => Some(None),

@@ -2,7 +2,7 @@
 
 use crate::config::allow::Allow;
 use crate::config::{Config, field_at};
-use crate::control::{self, Form, POSTS};
+use crate::control::{self, POSTS, ProgramForm};
 use crate::cycle::{self, CycleDef};
 use crate::form::Value;
 use crate::job::{Units, convert_units};
@@ -92,7 +92,7 @@ fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDe
         // Moves are the default.
         let form = forms(config, def, post)
             .next()
-            .filter(|form| *form != Form::Moves);
+            .filter(|form| *form != ProgramForm::Moves);
         form.into_iter()
             .for_each(|form| control.put("form", text(form.word())));
     }
@@ -117,13 +117,13 @@ fn forms(
     config: &Config,
     def: Option<&'static CycleDef>,
     post: &str,
-) -> impl Iterator<Item = Form> {
-    let allowed = |form: &Form| config.allow.takes("form", &text(form.word()));
+) -> impl Iterator<Item = ProgramForm> {
+    let allowed = |form: &ProgramForm| config.allow.takes("form", &text(form.word()));
     let served = control::find(post).zip(def);
-    let serves = move |form: &Form| {
+    let serves = move |form: &ProgramForm| {
         served.is_some_and(|(post, def)| (post.serves)(def.probes, *form).is_ok())
     };
-    Form::ALL.into_iter().filter(allowed).filter(serves)
+    ProgramForm::ALL.into_iter().filter(allowed).filter(serves)
 }
 
 /// Control of a job that names none: the default, or else the first allowed control that supports the cycle in this form, or in any allowed form. `None` if the
@@ -167,7 +167,7 @@ fn sets_preset(control: &Value, def: &CycleDef) -> bool {
     let Some(Value::Text(key)) = control.get("post") else {
         return false;
     };
-    let own = control.get("form") == Some(&text(Form::Cycle.word()));
+    let own = control.get("form") == Some(&text(ProgramForm::Cycle.word()));
     own && control::find(key).is_some_and(|post| (post.own_preset)(def.probes))
 }
 

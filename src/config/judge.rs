@@ -364,7 +364,7 @@ fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
 fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     let place = |index: usize| match path.member_of_move(index) {
-        Some(cycle) if !path.members.is_empty() => format!("cycles[{cycle}]"),
+        Some(cycle) if !path.cycles.is_empty() => format!("cycles[{cycle}]"),
         _ => "cycle".to_owned(),
     };
     let Space { travel, keep_out } = &config.space;

@@ -2,7 +2,7 @@
 
 use crate::geom::Vec3;
 use crate::part::Shape;
-use crate::path::{Path, Purpose, most};
+use crate::path::{MovePurpose, Path, most};
 
 /// The travel of the machine and its keep-out zones, in the work coordinate system, mm.
 #[derive(Debug)]
@@ -79,7 +79,7 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
             });
             from = to;
         }
-        if let Purpose::Touch(touch) = step.purpose {
+        if let MovePurpose::Touch(touch) = step.purpose {
             let touch = &path.touches[touch];
             found.push(Piece {
                 from,

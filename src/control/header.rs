@@ -1,7 +1,7 @@
 //! The job as comments, written and read: all its values, the format, the version that wrote it, and a hash over the blocks below.
 
 use crate::control::iso::lex::{after, next_line, without_count};
-use crate::control::{Header, Request, comment_char};
+use crate::control::{HeaderDetail, Request, comment_char};
 use crate::form::Value;
 use crate::num::{format_count, push_in_full};
 
@@ -22,7 +22,7 @@ pub const NO_HASH: &str = "0000000000000000";
 pub fn lines(request: &Request<'_>, width: usize, capitals: bool) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = match (request.header, request.job) {
-        (Header::Full, Some(job)) => {
+        (HeaderDetail::Full, Some(job)) => {
             let mut lines = vec![format!(
                 "{MADE_BY}{version} from this job, every value, defaults too:"
             )];

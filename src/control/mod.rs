@@ -3,14 +3,13 @@
 //! A post takes a checked path and prints it; it is independent of cycles. Every move of the path is printed, one block each, and every touch continues past
 //! its nominal contact by the overtravel.
 
-mod callers;
-mod does;
 mod fanuc;
 mod grbl;
 pub mod header;
 pub mod heidenhain;
 pub mod iso;
 mod linuxcnc;
+mod macro_controls;
 mod moves;
 pub mod native;
 mod number;
@@ -23,6 +22,7 @@ pub mod rules;
 pub mod safety;
 pub mod sinumerik;
 pub mod trace;
+mod write_summary;
 
 use std::cell::OnceCell;
 
@@ -30,10 +30,10 @@ use crate::control::iso::registers::{Registers, When};
 use crate::control::iso::script::{Script, Trouble};
 use crate::control::iso::writer::{Dialect, PLAIN};
 use crate::form::{Checker, Value};
-use crate::formula::{Datum, Limits, Question};
+use crate::formula::{Limits, OffsetCorrection, ResultCheck};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
-use crate::path::{Feeds, Move, Path, Purpose, STATED_RAPID, Setup, Subject};
+use crate::path::{FeatureKind, Feeds, Move, MovePurpose, Path, ProbeSettings, STATED_RAPID};
 use crate::text::{Text, text};
 
 /// Every control, in the order of the form.
@@ -46,80 +46,80 @@ pub const POSTS: &[&PostDef] = &[
     &heidenhain::DEF,
     &fanuc::FANUC,
     &fanuc::HAAS,
-    &callers::MAZAK,
-    &callers::BROTHER,
-    &callers::HURCO,
-    &callers::OKUMA,
+    &macro_controls::MAZAK,
+    &macro_controls::BROTHER,
+    &macro_controls::HURCO,
+    &macro_controls::OKUMA,
 ];
 
 /// Form of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum ProgramForm {
     /// Plain moves and touches, one block each.
     Moves,
     /// Native cycles.
     Cycle,
 }
 
-impl Form {
-    pub const ALL: [Form; 2] = [Form::Moves, Form::Cycle];
+impl ProgramForm {
+    pub const ALL: [ProgramForm; 2] = [ProgramForm::Moves, ProgramForm::Cycle];
 
     /// `control.form` in the job.
     pub const fn word(self) -> &'static str {
         match self {
-            Form::Moves => "moves",
-            Form::Cycle => "cycle",
+            ProgramForm::Moves => "moves",
+            ProgramForm::Cycle => "cycle",
         }
     }
 
     /// The form with this word; moves for any other word.
-    pub fn named(word: &str) -> Form {
-        if word == Form::Cycle.word() {
-            Form::Cycle
+    pub fn named(word: &str) -> ProgramForm {
+        if word == ProgramForm::Cycle.word() {
+            ProgramForm::Cycle
         } else {
-            Form::Moves
+            ProgramForm::Moves
         }
     }
 
-    pub const fn other(self) -> Form {
+    pub const fn other(self) -> ProgramForm {
         match self {
-            Form::Moves => Form::Cycle,
-            Form::Cycle => Form::Moves,
+            ProgramForm::Moves => ProgramForm::Cycle,
+            ProgramForm::Cycle => ProgramForm::Moves,
         }
     }
 }
 
 /// Detail of a program's header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Header {
+pub enum HeaderDetail {
     /// All values of the job.
     Full,
     /// No values: only the version and the hash over the blocks.
     Short,
 }
 
-impl Header {
+impl HeaderDetail {
     /// `control.header` in the job.
     pub const fn word(self) -> &'static str {
         match self {
-            Header::Full => "full",
-            Header::Short => "short",
+            HeaderDetail::Full => "full",
+            HeaderDetail::Short => "short",
         }
     }
 
     /// The header with this word; the full one for any other word.
-    pub fn named(word: &str) -> Header {
-        if word == Header::Short.word() {
-            Header::Short
+    pub fn named(word: &str) -> HeaderDetail {
+        if word == HeaderDetail::Short.word() {
+            HeaderDetail::Short
         } else {
-            Header::Full
+            HeaderDetail::Full
         }
     }
 }
 
 /// Output of the results before the program ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Report {
+pub enum ResultOutput {
     /// On the screen of the control.
     Screen,
     /// A file, or the control's printing interface.
@@ -128,22 +128,22 @@ pub enum Report {
     None,
 }
 
-impl Report {
+impl ResultOutput {
     /// `control.report` in the job.
     pub const fn word(self) -> &'static str {
         match self {
-            Report::Screen => "screen",
-            Report::Log => "log",
-            Report::None => "none",
+            ResultOutput::Screen => "screen",
+            ResultOutput::Log => "log",
+            ResultOutput::None => "none",
         }
     }
 
     /// The output with this word; `Screen` for any other word.
-    pub fn named(word: &str) -> Report {
-        [Report::Log, Report::None]
+    pub fn named(word: &str) -> ResultOutput {
+        [ResultOutput::Log, ResultOutput::None]
             .into_iter()
             .find(|report| report.word() == word)
-            .unwrap_or(Report::Screen)
+            .unwrap_or(ResultOutput::Screen)
     }
 }
 
@@ -164,7 +164,7 @@ pub struct PostDef {
     /// Highest number of a work offset; 0 if a program cannot write one.
     pub work_offsets: i32,
     /// Whether its native cycle corrects the active preset; no work offset is chosen then.
-    pub own_preset: fn(Subject) -> bool,
+    pub own_preset: fn(FeatureKind) -> bool,
     /// Word of a work offset, by its number.
     pub work_offset_word: fn(i32) -> String,
     /// Whether a work offset has a rotation that its program can write.
@@ -198,14 +198,14 @@ pub struct PostDef {
     /// Rate of a move from the current ball centre, mm/min; `None` is the rapid rate.
     pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
     /// Whether a program in a form can probe this feature, and why not: its row of the support matrix.
-    pub serves: fn(Subject, Form) -> Result<(), &'static str>,
+    pub serves: fn(FeatureKind, ProgramForm) -> Result<(), &'static str>,
     /// Reports what it cannot do for this request, and notes for the user.
     pub check: fn(&Request<'_>, &mut Checker),
     pub emit: fn(&Request<'_>) -> Program,
     /// Reads a program of moves back.
     pub read: Option<Reader>,
     /// Its native cycles, if their path is known.
-    pub own: Option<&'static own::OwnCycles>,
+    pub own: Option<&'static own::NativeCycles>,
     /// For controls whose programs cannot write a work offset although the user can: the block to type at the end of the program, from the measured datum
     /// (abscissa, ordinate and tool axis, mm) and the number of the work offset.
     pub typed_write: Option<TypedWrite>,
@@ -273,7 +273,7 @@ impl PostDef {
     }
 
     /// A text about the control, with its name in place of `{control}`.
-    pub fn says(&self, words: &'static str) -> Text {
+    pub fn control_text(&self, words: &'static str) -> Text {
         let mut text = Text::words(words);
         if words.contains("{control}") {
             text.fill(self.title.to_owned());
@@ -306,12 +306,12 @@ pub struct Request<'a> {
     pub title: &'a str,
     /// Source of the cycle.
     pub source: &'a str,
-    pub form: Form,
+    pub form: ProgramForm,
     /// Millimetres in a unit of the program.
     pub scale: f64,
     pub plane: Plane,
     /// Ball and overtravel.
-    pub setup: &'a Setup,
+    pub setup: &'a ProbeSettings,
     /// Feeds in mm/min; `None` is a rapid.
     pub feeds: &'a Feeds,
     /// Tool number of the probe, for programs that call it; `None` if the probe is in the spindle.
@@ -328,13 +328,13 @@ pub struct Request<'a> {
     pub orient: Option<f64>,
     /// The probe input of the control, from 1.
     pub probe_input: usize,
-    pub report: Report,
+    pub report: ResultOutput,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     pub path: &'a Path,
     /// The job with every value, for the header.
     pub job: Option<&'a Value>,
-    pub header: Header,
+    pub header: HeaderDetail,
     /// See [`Request::registers`].
     pub numbered: OnceCell<Registers>,
 }
@@ -344,7 +344,7 @@ pub const CHORD_SAG: f64 = 0.02;
 
 impl Request<'_> {
     /// Angle to which the program orients the spindle.
-    pub fn orients(&self) -> Option<f64> {
+    pub fn orients_spindle(&self) -> Option<f64> {
         self.orient.filter(|_| self.post.why_not(ORIENT).is_none())
     }
 
@@ -364,7 +364,7 @@ impl Request<'_> {
 
     /// Time at which the program computes: in a set-up as soon as possible, so that no variable is kept through all cycles.
     pub fn when(&self) -> When {
-        if self.path.members.is_empty() {
+        if self.path.cycles.is_empty() {
             self.post.when
         } else {
             When::AtOnce
@@ -372,9 +372,9 @@ impl Request<'_> {
     }
 
     /// Checks of the results in a program that computes.
-    pub fn questions(&self) -> Vec<Question> {
-        if self.post.computes && self.form == Form::Moves {
-            self.path.formula.questions(&self.limits)
+    pub fn questions(&self) -> Vec<ResultCheck> {
+        if self.post.computes && self.form == ProgramForm::Moves {
+            self.path.formula.result_checks(&self.limits)
         } else {
             Vec::new()
         }
@@ -382,13 +382,20 @@ impl Request<'_> {
 
     /// Whether the program is read back and traced. A program of native calls is, if the cycles allow it.
     pub fn is_followed(&self) -> bool {
-        let calls = self.form == Form::Cycle && self.post.own.is_some_and(|own| !own.followed);
+        let calls =
+            self.form == ProgramForm::Cycle && self.post.own.is_some_and(|own| !own.followed);
         self.post.read.is_some() && !calls
     }
 
     /// Whether the program itself writes a work offset.
-    pub fn corrects(&self) -> bool {
-        self.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
+    pub fn writes_offset(&self) -> bool {
+        self.work_offset.is_some()
+            && self
+                .path
+                .formula
+                .datum
+                .as_ref()
+                .is_some_and(OffsetCorrection::writes)
     }
 
     /// Shortest move that must be watched, mm. A shorter one is not a probe move. Rounding may move both of its ends.
@@ -526,14 +533,14 @@ fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
         checker.warning(
             "orient-unsupported",
             "control.orient",
-            request.post.says(why),
+            request.post.control_text(why),
         );
     }
 }
 
 /// Header line about the spindle angle.
 fn orientation_line(request: &Request<'_>) -> String {
-    match request.orients() {
+    match request.orients_spindle() {
         Some(angle) => {
             format!("The spindle is turned to {} degrees first: the probe must be calibrated at that angle", decimal(angle, 3))
         }
@@ -553,7 +560,7 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         .formula
         .datum
         .as_ref()
-        .is_some_and(Datum::writes);
+        .is_some_and(OffsetCorrection::writes);
     if request.work_offset.is_some() && !something {
         let message = if request.path.feature.two_circles().is_some() {
             text!(
@@ -565,7 +572,9 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
     let tool = AXIS_NAMES[request.plane.axes()[2]];
-    if request.writes().contains(&tool) && request.setup.radius > 0.0 && request.path.own.is_none()
+    if request.writes().contains(&tool)
+        && request.setup.radius > 0.0
+        && request.path.calls.is_none()
     {
         let message = text!(
             "{axis} is written for a tool length that ends at the ball centre: with a length to its tip, the work offset would be {radius} too low",
@@ -602,7 +611,7 @@ fn directions(path: &Path) -> usize {
 /// Feed of a move on controls whose watched moves need one, mm/min: watched moves have one, and so do the straight moves that make an arc.
 fn feed_rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
-    let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
+    let needed = request.protected || step.arc.is_some() || step.purpose != MovePurpose::Position;
     stated.or(needed.then_some(STATED_RAPID))
 }
 

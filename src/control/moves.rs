@@ -5,17 +5,17 @@ use std::ops::Range;
 use crate::control::iso::registers::{When, needed_touches};
 use crate::control::iso::writer::{Writer, pieces, start_unknown};
 use crate::control::{Program, Request};
-use crate::formula::{Datum, Formula, Question, Used};
+use crate::formula::{Formula, OffsetCorrection, ResultCheck, UsedTriggers};
 use crate::geom::Vec3;
 use crate::num::format_count;
-use crate::path::{Move, Purpose, Repeat, Term, Touch};
+use crate::path::{Move, MovePurpose, RepeatIndex, ShiftTerm, Touch};
 
 /// A move of the path, with its index and start.
 #[derive(Clone, Copy, Debug)]
-pub struct Step<'a> {
+pub struct MoveContext<'a> {
     /// Index in the path, from 0.
     pub index: usize,
-    pub step: &'a Move,
+    pub planned: &'a Move,
     /// Ball centre before the move, if it is known.
     pub from: Option<Vec3>,
 }
@@ -37,10 +37,10 @@ pub trait Moves {
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
 
     /// A positioning move from a known position.
-    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>);
+    fn position(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>);
 
     /// A touch, and the reaction to a miss.
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch);
+    fn touch(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>, touch: &Touch);
 
     /// Storage of coordinate `axis` of a sample, and its name there, written into the empty texts of `stored`. False if the control stores nothing.
     fn stores(&self, _sample: usize, _axis: usize, _stored: &mut StoredCoordinate) -> bool {
@@ -48,12 +48,12 @@ pub trait Moves {
     }
 
     /// Term added to a position that these variables shift, on a control that computes. `scale` is mm in a unit of the program.
-    fn shift(&self, _formula: &Formula, _terms: &[Term], _scale: f64) -> String {
+    fn shift(&self, _formula: &Formula, _terms: &[ShiftTerm], _scale: f64) -> String {
         String::new()
     }
 
     /// Emits the retract after a touch.
-    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
+    fn retract(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>);
 
     /// One assignment of the formula. This hook and those up to `report` do nothing on a control that cannot compute.
     fn assign(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
@@ -62,10 +62,17 @@ pub trait Moves {
     fn results(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     /// Emits a plausibility check. If it fails, a program that writes stops with an alarm; any other one shows a message.
-    fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &Question) {}
+    fn check_result(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &ResultCheck) {}
 
     /// The single write of a work offset.
-    fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
+    fn write(
+        &mut self,
+        _w: &mut Writer<'_>,
+        _formula: &Formula,
+        _number: i32,
+        _datum: &OffsetCorrection,
+    ) {
+    }
 
     /// Shows the results to the operator.
     fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
@@ -107,11 +114,15 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let samples = path.samples();
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
-        let place = Step { index, step, from };
+        let place = MoveContext {
+            index,
+            planned: step,
+            from,
+        };
         w.names_cycle(index);
         if let Some(begins) = path.begins_member(index) {
             for question in path.asked_before(begins, &request.limits) {
-                hooks.ask(&mut w, formula, &question);
+                hooks.check_result(&mut w, formula, &question);
             }
         }
         if !path.shifts.is_empty() {
@@ -129,11 +140,11 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                 w.leaves_move();
                 w.forgets_place();
             }
-            Purpose::Position if start_unknown(request, index, step) => {
+            MovePurpose::Position if start_unknown(request, index, step) => {
                 hooks.approach(&mut w, step)
             }
-            Purpose::Position => hooks.position(&mut w, place),
-            Purpose::Touch(k) => {
+            MovePurpose::Position => hooks.position(&mut w, place),
+            MovePurpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);
                 latch(&mut w, hooks, (&samples[k], &used), &mut stored);
                 made += 1;
@@ -143,8 +154,8 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                 }
             }
             // Only in native cycles.
-            Purpose::Search(_) => w.leaves_move(),
-            Purpose::Back(_) => hooks.back(&mut w, place),
+            MovePurpose::Search(_) => w.leaves_move(),
+            MovePurpose::Retract(_) => hooks.retract(&mut w, place),
         }
         from = Some(step.to);
     }
@@ -166,7 +177,7 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
     }
     hooks.results(w, formula);
     for question in &request.questions() {
-        hooks.ask(w, formula, question);
+        hooks.check_result(w, formula, question);
     }
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
         && datum.writes()
@@ -180,7 +191,7 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
 fn latch(
     w: &mut Writer<'_>,
     hooks: &dyn Moves,
-    (sample, used): (&Repeat, &Used),
+    (sample, used): (&RepeatIndex, &UsedTriggers),
     stored: &mut StoredCoordinate,
 ) {
     for axis in (0..3).filter(|&axis| used.has(sample.index, axis)) {
@@ -226,11 +237,11 @@ fn latch(
 /// Straight pieces of a positioning move, each with its start.
 pub fn each_piece(
     request: &Request<'_>,
-    place: Step<'_>,
+    place: MoveContext<'_>,
     mut piece: impl FnMut(Option<Vec3>, Vec3),
 ) {
     let mut from = place.from;
-    for to in pieces(request, place.step, place.from) {
+    for to in pieces(request, place.planned, place.from) {
         piece(from, to);
         from = Some(to);
     }

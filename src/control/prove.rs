@@ -4,10 +4,10 @@ use crate::control::iso::machine::{self, Met, Run, Tail};
 use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
-use crate::control::{Form, Request};
-use crate::formula::{Asked, Dual, Formula, Node, Question, Role, Variable};
+use crate::control::{ProgramForm, Request};
+use crate::formula::{CheckKind, Dual, Formula, Node, ResultCheck, Role, Variable};
 use crate::geom::Vec3;
-use crate::path::{Arc, Follow, Move, Path, Purpose, Shifts, Term, Touch, WAY};
+use crate::path::{Arc, Dependency, LINK_STEP, Move, MovePurpose, Path, ShiftTerm, Shifts, Touch};
 use crate::text::{Text, text, words};
 
 /// Result of a proof. Only [`prove`] creates one.
@@ -102,7 +102,7 @@ impl Followed<'_> {
         (result, off, limit): (usize, f64, f64),
     ) -> bool {
         let path = request.path;
-        let follow = path.members[member]
+        let follow = path.cycles[member]
             .placing
             .follows
             .iter()
@@ -121,11 +121,11 @@ impl Followed<'_> {
         }
         let expected = Expected::of(request, displaced.shifted(path));
         let triggers = &displaced.triggers;
-        let made = request.path.members[member].moves.start;
+        let made = request.path.cycles[member].moves.start;
         let ways = request.path.moves[..made]
             .iter()
             .rev()
-            .take_while(|step| step.step == WAY)
+            .take_while(|step| step.step == LINK_STEP)
             .count();
         let mut next = 0;
         let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| {
@@ -144,7 +144,7 @@ impl Followed<'_> {
         // violate the limit of another one that is checked earlier.
         let moves = request.path.moves[..=last].iter().rev();
         let own = moves
-            .take_while(|step| !matches!(step.purpose, Purpose::Touch(_)))
+            .take_while(|step| !matches!(step.purpose, MovePurpose::Touch(_)))
             .count();
         let in_time = |stop: machine::Stopped| {
             stop.touches < before
@@ -209,11 +209,11 @@ pub fn follow<'t>(
         triggers.clone_from(&triggered.triggers);
     }
     // If nothing is written and no tolerance is checked, the end of the program does not depend on its results.
-    let asks = request.corrects()
+    let asks = request.writes_offset()
         || request
             .questions()
             .iter()
-            .any(|question| question.asked != Asked::Plausible);
+            .any(|question| question.asked != CheckKind::Plausibility);
     let marks: Vec<Slot> = if asks {
         script.outputs().map(|(_, slot)| slot).collect()
     } else {
@@ -301,7 +301,7 @@ pub fn prove(
     lines: &[Option<usize>],
 ) -> Result<Proof, Vec<Fault>> {
     debug_assert!(
-        request.form == Form::Moves,
+        request.form == ProgramForm::Moves,
         "a control's own cycle is not proven"
     );
     let mut faults = Vec::new();
@@ -362,7 +362,7 @@ impl Triggered {
             own.values = Vec::with_capacity(path.formula.assignments.len());
             path.formula
                 .evaluate_on(&mut own.values, begin, &own.samples, &own.directions);
-            match (0..path.members.len()).try_for_each(|member| own.touch(request, member, first)) {
+            match (0..path.cycles.len()).try_for_each(|member| own.touch(request, member, first)) {
                 Ok(()) => return Ok(own),
                 Err(found) => fault = found,
             }
@@ -381,7 +381,7 @@ impl Triggered {
         /// After so many halvings a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
         let path = request.path;
-        let follows = path.members[member + 1..]
+        let follows = path.cycles[member + 1..]
             .iter()
             .flat_map(|later| &later.placing.follows);
         let led = follows
@@ -390,7 +390,7 @@ impl Triggered {
         let first = if led.is_empty() { 0 } else { first };
         // Results that depend on a later cycle, too, are known only there.
         let known = led.into_iter().filter(|(_, known)| *known);
-        let questions: Vec<Question> = known
+        let questions: Vec<ResultCheck> = known
             .filter_map(|(result, _)| path.formula.leads(result, &request.limits))
             .collect();
         for halved in first..HALVED {
@@ -416,8 +416,8 @@ impl Triggered {
     /// Computes the values that depend on the touches of a member.
     fn compute(&mut self, request: &Request<'_>, member: usize) {
         let path = request.path;
-        let touches = &path.touches[path.members[member].touches.clone()];
-        let triggers = &self.triggers[path.members[member].touches.clone()];
+        let touches = &path.touches[path.cycles[member].touches.clone()];
+        let triggers = &self.triggers[path.cycles[member].touches.clone()];
         for touch in touches {
             let same = touches
                 .iter()
@@ -448,7 +448,7 @@ impl Triggered {
 
     /// Shift of a position by these values, mm.
     fn shift(&self, shifts: &Shifts) -> Vec3 {
-        let value = |term: &Term| {
+        let value = |term: &ShiftTerm| {
             self.values
                 .get(term.by.index())
                 .map_or(0.0, |value| term.factor * value.value)
@@ -461,7 +461,7 @@ impl Triggered {
     fn displaced(
         &self,
         request: &Request<'_>,
-        Follow { result, axis, .. }: &Follow,
+        Dependency { result, axis, .. }: &Dependency,
         off: f64,
         until: usize,
     ) -> Option<Self> {
@@ -475,7 +475,7 @@ impl Triggered {
         let mut own = self.clone();
         let touches: Vec<usize> = sources
             .iter()
-            .flat_map(|source| path.members[*source].touches.clone())
+            .flat_map(|source| path.cycles[*source].touches.clone())
             .collect();
         let ways: Vec<Vec3> = match axis {
             Some(axis) => vec![Vec3::AXES[*axis]; touches.len()],
@@ -547,7 +547,7 @@ impl Triggered {
 
     /// Shift of each move.
     fn shifted(&self, path: &Path) -> Shifted {
-        let reach = |term: &Term| {
+        let reach = |term: &ShiftTerm| {
             self.values
                 .get(term.by.index())
                 .map_or(0.0, |value| term.factor.abs() * value.reach())
@@ -569,15 +569,15 @@ impl Triggered {
 
 /// Touches of a member: index of the touch, start, and index of the move.
 fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Option<Vec3>, usize)> {
-    let moves = path.members[member].moves.clone();
+    let moves = path.cycles[member].moves.clone();
     moves.filter_map(|i| match path.moves[i].purpose {
-        Purpose::Touch(k) => Some((
+        MovePurpose::Touch(k) => Some((
             k,
             i.checked_sub(1)
                 .map_or(path.start, |i| Some(path.moves[i].to)),
             i,
         )),
-        Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
+        MovePurpose::Position | MovePurpose::Search(_) | MovePurpose::Retract(_) => None,
     })
 }
 
@@ -649,7 +649,7 @@ impl Expected {
         let mut from = path.start;
         for (i, step) in path.moves.iter().enumerate() {
             let shift = expected.shift(i);
-            if let Purpose::Touch(k) = step.purpose {
+            if let MovePurpose::Touch(k) = step.purpose {
                 let end = expected.place(search_end(step, &path.touches[k]) + shift);
                 let begin = i
                     .checked_sub(1)
@@ -739,10 +739,10 @@ impl Expected {
         let mut from = request.path.start;
         for (i, step) in request.path.moves.iter().enumerate() {
             let nominal = match step.purpose {
-                Purpose::Touch(k) | Purpose::Search(k) => {
+                MovePurpose::Touch(k) | MovePurpose::Search(k) => {
                     search_end(step, &request.path.touches[k])
                 }
-                Purpose::Position | Purpose::Back(_) => step.to,
+                MovePurpose::Position | MovePurpose::Retract(_) => step.to,
             };
             let arc = step.arc.map(|arc| Arc {
                 center: arc.center + self.shift(i),
@@ -798,8 +798,10 @@ impl Expected {
     ) -> Result<(), Fault> {
         let number = i + 1;
         let rate = match step.purpose {
-            Purpose::Touch(_) | Purpose::Search(_) => Some(request.feeds.work),
-            Purpose::Position | Purpose::Back(_) => (request.post.rate)(request, from, step),
+            MovePurpose::Touch(_) | MovePurpose::Search(_) => Some(request.feeds.work),
+            MovePurpose::Position | MovePurpose::Retract(_) => {
+                (request.post.rate)(request, from, step)
+            }
         };
         let way = (0..3)
             .map(|axis| (made.to[axis] - made.from[axis]).powi(2))
@@ -814,17 +816,17 @@ impl Expected {
             Kind::Rapid
         };
         let wanted = match step.purpose {
-            Purpose::Touch(_) | Purpose::Search(_) => Kind::Touch,
-            Purpose::Back(_) => plain,
-            Purpose::Position if !(request.protected && request.post.watches) => plain,
-            Purpose::Position if from.is_none() && !request.post.watches_first => plain,
+            MovePurpose::Touch(_) | MovePurpose::Search(_) => Kind::Touch,
+            MovePurpose::Retract(_) => plain,
+            MovePurpose::Position if !(request.protected && request.post.watches) => plain,
+            MovePurpose::Position if from.is_none() && !request.post.watches_first => plain,
             // Too short for a probe move.
-            Purpose::Position
+            MovePurpose::Position
                 if made.kind == plain && way.min(nominal) < request.shortest_watched() =>
             {
                 plain
             }
-            Purpose::Position => Kind::Watched,
+            MovePurpose::Position => Kind::Watched,
         };
         if made.kind != wanted {
             return Err(Fault::at(

@@ -2,7 +2,7 @@
 
 use crate::control::prove::{self, Fault, Part, Proof};
 use crate::control::safety::{self, Restarts, Verdict};
-use crate::control::{Form, Program, Request};
+use crate::control::{Program, ProgramForm, Request};
 
 /// A program that may be handed out. Only [`release`] creates one.
 #[derive(Clone, Debug)]
@@ -45,10 +45,10 @@ pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refu
     }
     let followed = prove::follow(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;
     let proof = match request.form {
-        Form::Moves => Some(
+        ProgramForm::Moves => Some(
             prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?,
         ),
-        Form::Cycle => None,
+        ProgramForm::Cycle => None,
     };
     let verdicts = safety::check(request, &followed, Restarts::Telling);
     let broken: Vec<Verdict> = verdicts

@@ -9,7 +9,7 @@ use crate::control::rules::{
     TOLERANCE, WATCHED, WRITE_LAST,
 };
 use crate::control::trace::{Ending, Kind, Step};
-use crate::formula::{Asked, Question};
+use crate::formula::{CheckKind, ResultCheck};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
 
@@ -285,7 +285,7 @@ pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts)
     let tolerates = request
         .questions()
         .iter()
-        .any(|question| question.asked != Asked::Plausible);
+        .any(|question| question.asked != CheckKind::Plausibility);
     let follows = !request.path.shifts.is_empty();
     // Rules that no job asks for are not reported.
     let asked =
@@ -301,7 +301,7 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
     let unable = case.request.post.why_not(rule.name);
     let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
     let (holds, message, lines) = if let Some(why) = unable {
-        (None, case.request.post.says(why), Vec::new())
+        (None, case.request.post.control_text(why), Vec::new())
     } else if own_cycle {
         (
             None,
@@ -788,7 +788,7 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
 
 /// A check of a result in a program: its name, variable, expected value and limit, in the units of the program.
 struct Answer {
-    question: Question,
+    question: ResultCheck,
     named: String,
     slot: Slot,
     wanted: f64,
@@ -797,7 +797,7 @@ struct Answer {
 
 /// The checks that a program makes. A check that belongs to no result of the program breaks the rule; `line` is then reported.
 fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
-    let of = |question: Question| {
+    let of = |question: ResultCheck| {
         let formula = &case.request.path.formula;
         let named = formula.code(&formula.results[question.result]).into_owned();
         let found = case
@@ -925,19 +925,19 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
-    let writes = case.request.corrects();
+    let writes = case.request.writes_offset();
     let mut endings = endings(case);
     let mut breaks: Vec<Break> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
         let stops = match answer.question.asked {
-            Asked::Plausible | Asked::Leads => continue,
-            Asked::Marks => false,
-            Asked::Stops => true,
+            CheckKind::Plausibility | CheckKind::FollowLimit => continue,
+            CheckKind::MarkTolerance => false,
+            CheckKind::StopTolerance => true,
         };
         // Just out of tolerance may be implausible as well; then the program stops.
         let implausible = |value: f64| {
             let of_same = |other: &&Answer| {
-                other.slot == answer.slot && other.question.asked == Asked::Plausible
+                other.slot == answer.slot && other.question.asked == CheckKind::Plausibility
             };
             writes
                 && asked
@@ -977,7 +977,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
 fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
     let path = case.request.path;
     let mut breaks = Vec::new();
-    for (m, member) in path.members.iter().enumerate() {
+    for (m, member) in path.cycles.iter().enumerate() {
         for question in path.asked_before(m, &case.request.limits) {
             let stops = |share: &f64| {
                 case.followed.stops_before(

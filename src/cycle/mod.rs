@@ -14,7 +14,7 @@ pub use ency::{
 use crate::form::{Checker, Field, Section, SubForm};
 use crate::formula::{Formula, ResultRow};
 use crate::geom::{Plane, Vec3};
-use crate::path::{Parameter, Path, Setup, Subject, Surface, Touch};
+use crate::path::{FeatureKind, Parameter, Path, ProbeSettings, Surface, Touch};
 
 /// Every cycle, in the order of the gallery.
 pub static CYCLES: &[&CycleDef] = &[
@@ -40,7 +40,7 @@ pub static CYCLES: &[&CycleDef] = &[
 ];
 
 /// Definition without a cycle, as a placeholder for set-ups.
-pub const NONE: CycleDef = ency::BASE;
+pub const SET_UP_PLACEHOLDER: CycleDef = ency::BASE;
 
 /// Definition of a cycle, known before its form is filled in.
 #[derive(Debug)]
@@ -50,15 +50,15 @@ pub struct CycleDef {
     /// Documented name.
     pub title: &'static str,
     /// Sentence about its measurement, in a setter's words.
-    pub says: &'static str,
+    pub summary: &'static str,
     /// Further search words, which are in neither the name nor the sentence.
-    pub also: &'static str,
+    pub search_words: &'static str,
     /// Beginning of the default name of a job.
     pub name: &'static str,
     /// Source of the cycle, with its number there.
     pub source: &'static str,
     /// Kind of the probed feature. By it a control decides whether it supports the cycle.
-    pub probes: Subject,
+    pub probes: FeatureKind,
     /// Whether it has its own feeds and search length, and does not use those of the job.
     pub own_feeds: bool,
     /// Type number in the source's parameter table (code −1), if it has one.
@@ -69,7 +69,7 @@ pub struct CycleDef {
     /// Forms inside its form.
     pub sections: &'static [SubForm],
     /// Control and form of its default job.
-    pub home: (&'static str, &'static str),
+    pub default_control: (&'static str, &'static str),
     /// Steps of its documented list, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
     /// Our interpretations of the source, for the manual.
@@ -77,7 +77,7 @@ pub struct CycleDef {
         not(test),
         allow(dead_code, reason = "the documents are generated from it")
     )]
-    pub readings: &'static [&'static str],
+    pub interpretations: &'static [&'static str],
     /// Finds the position of the feature from picked touches and the loose form; `None` if its touches cannot be picked.
     pub place: Option<PlaceBy>,
     pub read: fn(&'static CycleDef, &mut Section<'_, '_>) -> Box<dyn Cycle>,
@@ -97,35 +97,35 @@ pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<(Placement
 /// A cycle with checked dimensions. Lengths in mm, angles in degrees as in the form.
 pub trait Cycle {
     /// Reports dimensions that contradict each other. Paths start with `cycle.`.
-    fn rules(&self, setup: &Setup, checker: &mut Checker);
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker);
 
     /// Plans the whole path. Every cycle without errors has one.
-    fn plan(&self, setup: &Setup) -> Path;
+    fn plan(&self, setup: &ProbeSettings) -> Path;
 
     /// The results that the control computes, as in [`Cycle::plan`].
-    fn formula(&self, setup: &Setup) -> Formula;
+    fn formula(&self, setup: &ProbeSettings) -> Formula;
 
     /// The source's parameter table. Nothing is computed from it. `touches` are those of the path.
-    fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter>;
+    fn parameters(&self, setup: &ProbeSettings, touches: &[Touch]) -> Vec<Parameter>;
 
     /// Reports faults that only the whole path shows, such as its ends against the feature. Paths start with `cycle.`.
-    fn review(&self, _setup: &Setup, _path: &Path, _checker: &mut Checker) {}
+    fn review_path(&self, _setup: &ProbeSettings, _path: &Path, _checker: &mut Checker) {}
 
     /// Fields whose values the control has (path, label). The moves are planned with the form's values instead.
-    fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
+    fn predefined_fields(&self) -> Vec<(&'static str, &'static str)> {
         Vec::new()
     }
 
     /// The surfaces of the feature, as in [`Cycle::plan`].
-    fn surfaces(&self, setup: &Setup) -> Vec<Surface>;
+    fn surfaces(&self, setup: &ProbeSettings) -> Vec<Surface>;
 
     /// The cycle with `delta` (mm or degrees) added to the size named `key`; `None` if there is no such size, or if nothing of the feature would remain.
-    fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
+    fn resized(&self, setup: &ProbeSettings, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
 
     /// Adds rows beyond arithmetic: verdicts, and rows for single touches. `triggers` has one entry for each touch.
-    fn judge(
+    fn add_verdicts(
         &self,
-        _setup: &Setup,
+        _setup: &ProbeSettings,
         _path: &Path,
         _triggers: &[Option<Vec3>],
         _rows: &mut Vec<ResultRow>,

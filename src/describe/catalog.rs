@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::control::safety::RULES;
-use crate::control::{Form, POSTS};
+use crate::control::{POSTS, ProgramForm};
 use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
 use crate::form::{Choice, Code, Default, Field, Kind, STANDING};
 use crate::formula::{RELATIONS, RelationDef};
@@ -308,14 +308,15 @@ pub fn catalog() -> Catalog {
                 cycles: CYCLES
                     .iter()
                     .flat_map(|def| {
-                        Form::ALL.map(|form| {
+                        ProgramForm::ALL.map(|form| {
                             let reason = (post.serves)(def.probes, form).err();
                             SupportEntry {
                                 key: def.key,
                                 form: form.word(),
                                 supported: reason.is_none(),
                                 reason,
-                                own_preset: form == Form::Cycle && (post.own_preset)(def.probes),
+                                own_preset: form == ProgramForm::Cycle
+                                    && (post.own_preset)(def.probes),
                             }
                         })
                     })
@@ -350,8 +351,8 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
     CycleEntry {
         key: def.key,
         title: def.title,
-        says: def.says,
-        also: def.also,
+        says: def.summary,
+        also: def.search_words,
         source: def.source,
         number: def.number,
         touches: def.place.is_some(),

@@ -5,7 +5,7 @@
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
-use crate::formula::{self, Consequence};
+use crate::formula::{self, ToleranceAction};
 use crate::job::{
     CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, MOST_CYCLES, MOST_STEPS, RELATIONS,
     SECTIONS, SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
@@ -98,7 +98,7 @@ pub fn job_schema() -> Value {
 
 /// Tolerances of results. The available results depend on the cycle.
 fn tolerances() -> Value {
-    let actions = Consequence::ALL.map(|(word, _)| text(word)).to_vec();
+    let actions = ToleranceAction::ALL.map(|(word, _)| text(word)).to_vec();
     let own = object(
         [
             (

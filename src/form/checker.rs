@@ -1,7 +1,7 @@
 //! Reads a loose form: every problem is reported with its path, and reading never stops at the first.
 
-use crate::form::field::Checked;
-use crate::form::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
+use crate::form::field::FieldType;
+use crate::form::{Default, Field, Finding, Kind, Level, PlainValue, Range, SubForm, Value};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
 use crate::text::{Part, Text, text, words};
@@ -436,18 +436,18 @@ impl<'a, 'c> Section<'a, 'c> {
     }
 }
 
-impl Checked for Option<f64> {
+impl FieldType for Option<f64> {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field)
     }
 
-    fn shown(&self) -> Shown {
-        self.map_or(Shown::Nothing, Shown::Number)
+    fn shown(&self) -> PlainValue {
+        self.map_or(PlainValue::Nothing, PlainValue::Number)
     }
 }
 
-impl Checked for f64 {
+impl FieldType for f64 {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section
@@ -455,12 +455,12 @@ impl Checked for f64 {
             .expect("a field that is a number has a number as default")
     }
 
-    fn shown(&self) -> Shown {
-        Shown::Number(*self)
+    fn shown(&self) -> PlainValue {
+        PlainValue::Number(*self)
     }
 }
 
-impl Checked for Nominal {
+impl FieldType for Nominal {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = match field.default {
@@ -479,7 +479,7 @@ impl Checked for Nominal {
     }
 }
 
-impl Checked for [Nominal; 3] {
+impl FieldType for [Nominal; 3] {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = default_point(field).map(Nominal::number);
@@ -516,29 +516,29 @@ fn default_point(field: &Field) -> [f64; 3] {
     }
 }
 
-impl Checked for i32 {
+impl FieldType for i32 {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         f64::take(section, field) as i32
     }
 
-    fn shown(&self) -> Shown {
-        Shown::Whole(*self)
+    fn shown(&self) -> PlainValue {
+        PlainValue::Whole(*self)
     }
 }
 
-impl Checked for Option<i32> {
+impl FieldType for Option<i32> {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field).map(|x| x as i32)
     }
 
-    fn shown(&self) -> Shown {
-        self.map_or(Shown::Nothing, Shown::Whole)
+    fn shown(&self) -> PlainValue {
+        self.map_or(PlainValue::Nothing, PlainValue::Whole)
     }
 }
 
-impl Checked for bool {
+impl FieldType for bool {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = matches!(field.default, Default::Flag(true));
@@ -558,12 +558,12 @@ impl Checked for bool {
         }
     }
 
-    fn shown(&self) -> Shown {
-        Shown::Flag(*self)
+    fn shown(&self) -> PlainValue {
+        PlainValue::Flag(*self)
     }
 }
 
-impl Checked for Vec3 {
+impl FieldType for Vec3 {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = Vec3::from_array(default_point(field));
@@ -598,7 +598,7 @@ impl Checked for Vec3 {
     }
 }
 
-impl Checked for String {
+impl FieldType for String {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = || match field.default {

@@ -37,18 +37,18 @@ pub struct Field {
         not(target_arch = "wasm32"),
         allow(dead_code, reason = "the page looks for the view")
     )]
-    pub seen: Option<Seen>,
+    pub seen: Option<BestView>,
 }
 
 /// View of a part in which a value is visible.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Seen {
+pub enum BestView {
     /// A rotation about the tool axis, or a distance in any direction of the plane: visible from the top.
-    Turning,
+    Rotation,
     /// A height: visible where the tool axis has its true length.
-    Upright,
+    Height,
     /// A position: each coordinate is visible where its axis has its true length.
-    Placed,
+    Position,
 }
 
 /// Kind of value of a field, which gives the unit.
@@ -498,7 +498,7 @@ impl Field {
     }
 
     /// Sets the view for a field without its own dimension.
-    pub const fn seen(mut self, seen: Seen) -> Self {
+    pub const fn seen(mut self, seen: BestView) -> Self {
         self.seen = Some(seen);
         self
     }
@@ -511,20 +511,20 @@ impl Field {
 }
 
 /// Type of a field's checked value.
-pub trait Checked: Sized {
+pub trait FieldType: Sized {
     /// Takes the value of `field` from `section` and reports faults. If there is no usable value, the default applies, so that reading can continue; the
     /// reported error prevents a plan.
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self;
 
     /// The value in plain form.
-    fn shown(&self) -> Shown {
-        Shown::Nothing
+    fn shown(&self) -> PlainValue {
+        PlainValue::Nothing
     }
 }
 
 /// A checked value of any field.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shown {
+pub enum PlainValue {
     /// A length in mm, an angle in degrees, a feed.
     Number(f64),
     Whole(i32),
@@ -536,7 +536,7 @@ pub enum Shown {
 /// A form as a list of its values.
 pub trait Values {
     /// Each field with its value, in the order of the form.
-    fn values(&self) -> Vec<(&'static Field, Shown)>;
+    fn values(&self) -> Vec<(&'static Field, PlainValue)>;
 }
 
 /// Declares a form: a struct of checked values, its list of fields, and the function that reads it. Doc comments are the help texts.
@@ -562,7 +562,7 @@ macro_rules! form {
         }
 
         impl $crate::form::Values for $name {
-            fn values(&self) -> Vec<(&'static $crate::form::Field, $crate::form::Shown)> {
+            fn values(&self) -> Vec<(&'static $crate::form::Field, $crate::form::PlainValue)> {
                 let mut fields = Self::FIELDS.iter();
                 vec![$((fields.next().expect("one field for each member"), $crate::form::shown(&self.$key)),)*]
             }

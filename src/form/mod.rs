@@ -16,15 +16,17 @@ pub use value::Value;
 
 pub(crate) use checker::{Checker, Section};
 pub(crate) use field::form;
-pub(crate) use field::{Choice, Code, Default, Field, Kind, Range, Seen, Shown, SubForm, Values};
+pub(crate) use field::{
+    BestView, Choice, Code, Default, Field, Kind, PlainValue, Range, SubForm, Values,
+};
 
 /// Takes the checked value of `field` out of a section.
-pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'static Field) -> T {
+pub(crate) fn take<T: field::FieldType>(section: &mut Section<'_, '_>, field: &'static Field) -> T {
     T::take(section, field)
 }
 
 /// A checked value in plain form.
-pub(crate) fn shown<T: field::Checked>(value: &T) -> Shown {
+pub(crate) fn shown<T: field::FieldType>(value: &T) -> PlainValue {
     value.shown()
 }
 

@@ -5,8 +5,8 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use crate::formula::node::{Samples, Variable};
 use crate::formula::{
-    Assignment, CirclePart, Datum, Formula, Function, MOST_SAMPLES, Name, Node, NodeId, Op,
-    ResultDef, Role,
+    Assignment, CirclePart, Formula, Function, MOST_SAMPLES, Name, Node, NodeId, OffsetCorrection,
+    Op, ResultDef, Role,
 };
 use crate::num::tidy;
 
@@ -191,7 +191,7 @@ impl Draft {
     }
 
     /// Finishes the formula. `datum` corrects a work offset.
-    pub fn finish(self, datum: Option<Datum>) -> Formula {
+    pub fn finish(self, datum: Option<OffsetCorrection>) -> Formula {
         Formula {
             datum,
             ..self.0.into_inner()

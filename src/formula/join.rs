@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::formula::node::{Samples, Variable};
 use crate::formula::{
-    Assignment, CycleSamples, Datum, Formula, Function, Node, NodeId, Op, ResultDef,
+    Assignment, CycleSamples, Formula, Function, Node, NodeId, OffsetCorrection, Op, ResultDef,
 };
 
 impl Formula {
@@ -171,9 +171,9 @@ impl Variable {
     }
 }
 
-impl Datum {
+impl OffsetCorrection {
     /// The datum in the formula of a set-up, where variable indices are shifted by `count`.
-    pub fn later_by(mut self, count: u32) -> Datum {
+    pub fn later_by(mut self, count: u32) -> OffsetCorrection {
         let later = |known: Option<Variable>| known.map(|known| known.later_by(count));
         for place in self.place.iter_mut().flatten() {
             place.measured = later(place.measured);

@@ -22,8 +22,8 @@ pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
 pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
-pub use relate::{Operand, RELATIONS, Relating, Relation, RelationDef, RelationDrawing};
-pub use turned::Turn;
+pub use relate::{Operand, RELATIONS, Relation, RelationDef, RelationDrawing, RelationTerm};
+pub use turned::CycleRotation;
 
 use crate::formula::repeat::Repeats;
 use crate::geom::Vec3;
@@ -48,7 +48,7 @@ pub struct Limits {
 
 /// Action of a program when a result is out of tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Consequence {
+pub enum ToleranceAction {
     /// Continues; the result is judged afterwards.
     #[default]
     Go,
@@ -58,12 +58,12 @@ pub enum Consequence {
     Stop,
 }
 
-impl Consequence {
+impl ToleranceAction {
     /// All actions, each with its word in a job.
-    pub const ALL: [(&'static str, Consequence); 3] = [
-        ("go", Consequence::Go),
-        ("mark", Consequence::Mark),
-        ("stop", Consequence::Stop),
+    pub const ALL: [(&'static str, ToleranceAction); 3] = [
+        ("go", ToleranceAction::Go),
+        ("mark", ToleranceAction::Mark),
+        ("stop", ToleranceAction::Stop),
     ];
 }
 
@@ -72,7 +72,7 @@ impl Consequence {
 pub struct Tolerance {
     /// Smallest and largest good value, mm or degrees.
     pub limits: [f64; 2],
-    pub action: Consequence,
+    pub action: ToleranceAction,
     /// Correction of a tool by this result.
     pub wear: Option<Wear>,
 }
@@ -92,15 +92,15 @@ pub struct Wear {
 
 /// Reason of a check in a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
+pub enum CheckKind {
     /// Plausibility: beyond the limit the program writes nothing.
-    Plausible,
+    Plausibility,
     /// Tolerance: beyond the limit the program shows the result and continues.
-    Marks,
+    MarkTolerance,
     /// Tolerance: beyond the limit the program stops.
-    Stops,
+    StopTolerance,
     /// A later cycle follows the result: beyond the limit its path was not checked, so the program stops before that cycle.
-    Leads,
+    FollowLimit,
 }
 
 /// Values that exceed a limit by less count as equal to it, mm or degrees.
@@ -108,9 +108,9 @@ pub const ON_LIMIT: f64 = 1e-6;
 
 /// A check of one result against its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
+pub struct ResultCheck {
     /// Reason of the check.
-    pub asked: Asked,
+    pub asked: CheckKind,
     /// Index of the result.
     pub result: usize,
     /// Assignment with the result.
@@ -123,13 +123,13 @@ pub struct Question {
     pub angle: bool,
 }
 
-impl Question {
+impl ResultCheck {
     /// Whether a program stops if the check fails. `writes`: whether it writes a work offset.
     pub fn stops(&self, writes: bool) -> bool {
         match self.asked {
-            Asked::Plausible => writes,
-            Asked::Marks => false,
-            Asked::Stops | Asked::Leads => true,
+            CheckKind::Plausibility => writes,
+            CheckKind::MarkTolerance => false,
+            CheckKind::StopTolerance | CheckKind::FollowLimit => true,
         }
     }
 
@@ -139,10 +139,10 @@ impl Question {
         let number = |x: f64| decimal(x / unit, 12);
         let (limit, wanted) = (self.limit, self.wanted);
         match self.asked {
-            Asked::Plausible | Asked::Leads => {
+            CheckKind::Plausibility | CheckKind::FollowLimit => {
                 format!(", more than {} from {}", number(limit), number(wanted))
             }
-            Asked::Marks | Asked::Stops => {
+            CheckKind::MarkTolerance | CheckKind::StopTolerance => {
                 let end = |x: f64| decimal(tidy(x / unit), 9);
                 format!(", not {} to {}", end(wanted - limit), end(wanted + limit))
             }
@@ -150,7 +150,7 @@ impl Question {
     }
 
     /// Whether a value, mm or degrees, is within the limit. Unknown values are not. At the limit itself rounding of the touches decides nothing.
-    pub fn holds(&self, value: f64) -> bool {
+    pub fn is_within(&self, value: f64) -> bool {
         (value - self.wanted).abs() <= self.limit + ON_LIMIT
     }
 }
@@ -241,7 +241,7 @@ pub struct Formula {
     /// Results that the control stores, in order.
     pub results: Vec<ResultDef>,
     /// Correction of a work offset.
-    pub datum: Option<Datum>,
+    pub datum: Option<OffsetCorrection>,
     /// Rotation of the coordinate system in degrees and its centre in the plane (mm), for controls whose work offsets have no rotation: printed as a block for
     /// the user.
     pub turn: Option<(Variable, [f64; 2])>,
@@ -260,7 +260,7 @@ pub struct CycleSamples {
 
 /// Correction of a work offset.
 #[derive(Clone, Copy, Debug)]
-pub struct Datum {
+pub struct OffsetCorrection {
     /// Abscissa, ordinate and tool axis; `None` leaves the origin unchanged. Abscissa and ordinate come together.
     pub place: [Option<Coordinate>; 3],
     /// Rotation of the coordinate system, degrees; `None` leaves the rotation unchanged.
@@ -288,10 +288,10 @@ impl Coordinate {
     }
 }
 
-impl Datum {
+impl OffsetCorrection {
     /// A correction without rotation whose values no result shows.
     pub fn of(place: [Option<Coordinate>; 3]) -> Self {
-        Datum {
+        OffsetCorrection {
             place,
             rotation: None,
             in_results: false,
@@ -302,7 +302,7 @@ impl Datum {
     pub fn point(abscissa: (Value<'_>, f64), ordinate: (Value<'_>, f64)) -> Self {
         let [a, o] =
             [abscissa, ordinate].map(|(value, nominal)| Some(Coordinate::measured(value, nominal)));
-        Datum::of([a, o, None])
+        OffsetCorrection::of([a, o, None])
     }
 
     /// Whether abscissa, ordinate and tool axis were measured.
@@ -395,7 +395,7 @@ impl Formula {
             return self;
         }
         let draft = Draft::with_room_for(MOST_SAMPLES);
-        let variables = plain::write(&self, &draft, &plain::Touches);
+        let variables = plain::write(&self, &draft, &plain::RawTriggers);
         self.written(draft, &variables)
     }
 
@@ -416,7 +416,7 @@ impl Formula {
             "the cycles of a set-up are written before they are joined"
         );
         let moved = |variable: Variable| variables[variable.index()];
-        let datum = self.datum.map(|datum| Datum {
+        let datum = self.datum.map(|datum| OffsetCorrection {
             place: datum.place.map(|place| {
                 place.map(|place| Coordinate {
                     measured: place.measured.map(moved),
@@ -441,8 +441,8 @@ impl Formula {
 
     /// Checks of a program before it writes. Plausibility comes first, for each value that the touches give and that has a limit; then tolerances whose action
     /// marks or stops.
-    pub fn questions(&self, limits: &Limits) -> Vec<Question> {
-        let mut questions: Vec<Question> = Vec::new();
+    pub fn result_checks(&self, limits: &Limits) -> Vec<ResultCheck> {
+        let mut questions: Vec<ResultCheck> = Vec::new();
         let measured = self.measured();
         for (index, result) in self.results.iter().enumerate() {
             let limit = match result.role {
@@ -464,8 +464,8 @@ impl Formula {
                 let (wanted, angle) = (result.reference, result.role.is_angle());
                 // The middle of a tolerance may differ from nominal by more than the limit.
                 let limit = limit + (result.reference - result.nominal).abs();
-                questions.push(Question {
-                    asked: Asked::Plausible,
+                questions.push(ResultCheck {
+                    asked: CheckKind::Plausibility,
                     result: index,
                     variable,
                     wanted,
@@ -484,12 +484,12 @@ impl Formula {
                 variable,
             ) = (def.tolerance?, def.variable?);
             let asked = match action {
-                Consequence::Go => return None,
-                Consequence::Mark => Asked::Marks,
-                Consequence::Stop => Asked::Stops,
+                ToleranceAction::Go => return None,
+                ToleranceAction::Mark => CheckKind::MarkTolerance,
+                ToleranceAction::Stop => CheckKind::StopTolerance,
             };
             let (wanted, limit) = ((low + high) / 2.0, (high - low) / 2.0);
-            Some(Question {
+            Some(ResultCheck {
                 asked,
                 result,
                 variable,
@@ -502,7 +502,7 @@ impl Formula {
     }
 
     /// Check of a result before a cycle that follows it.
-    pub fn leads(&self, result: usize, limits: &Limits) -> Option<Question> {
+    pub fn leads(&self, result: usize, limits: &Limits) -> Option<ResultCheck> {
         let def = &self.results[result];
         let limit = match def.role {
             Role::Size => limits.size,
@@ -510,8 +510,8 @@ impl Formula {
             _ => limits.position,
         };
         let (variable, limit, angle) = (def.variable?, limit?, def.role.is_angle());
-        Some(Question {
-            asked: Asked::Leads,
+        Some(ResultCheck {
+            asked: CheckKind::FollowLimit,
             result,
             variable,
             wanted: def.nominal,
@@ -557,8 +557,8 @@ impl Formula {
     }
 
     /// Coordinates of the triggers that the formula reads.
-    pub fn used(&self) -> Used {
-        let mut used = Used::default();
+    pub fn used(&self) -> UsedTriggers {
+        let mut used = UsedTriggers::default();
         let mut mark = |samples: std::ops::Range<usize>, axes: u8| {
             if used.0.len() < samples.end {
                 used.0.resize(samples.end, 0);
@@ -582,9 +582,9 @@ impl Formula {
 
 /// Coordinates of the triggers that a formula reads: one bit for each axis.
 #[derive(Clone, Debug, Default)]
-pub struct Used(Vec<u8>);
+pub struct UsedTriggers(Vec<u8>);
 
-impl Used {
+impl UsedTriggers {
     /// Whether the formula reads coordinate `axis` of a sample.
     pub fn has(&self, sample: usize, axis: usize) -> bool {
         self.0

@@ -4,15 +4,15 @@ use crate::formula::node::{Samples, Variable};
 use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
 
 /// Source of the coordinates of the touches in a rewritten formula.
-pub(super) trait Source<'f> {
+pub(super) trait TriggerSource<'f> {
     /// Coordinate `axis` of a sample.
     fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f>;
 }
 
 /// Reads the touches directly.
-pub(super) struct Touches;
+pub(super) struct RawTriggers;
 
-impl<'f> Source<'f> for Touches {
+impl<'f> TriggerSource<'f> for RawTriggers {
     fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
         draft.trigger(sample, axis)
     }
@@ -22,10 +22,10 @@ impl<'f> Source<'f> for Touches {
 pub(super) fn write<'f>(
     formula: &Formula,
     draft: &'f Draft,
-    source: &dyn Source<'f>,
+    source: &dyn TriggerSource<'f>,
 ) -> Vec<Variable> {
     let values = Vec::with_capacity(formula.assignments.len());
-    let mut plain = Plain {
+    let mut plain = Lowering {
         formula,
         draft,
         source,
@@ -39,17 +39,17 @@ pub(super) fn write<'f>(
     plain.values.iter().map(|value| value.variable).collect()
 }
 
-struct Plain<'a, 'f> {
+struct Lowering<'a, 'f> {
     formula: &'a Formula,
     draft: &'f Draft,
-    source: &'a dyn Source<'f>,
+    source: &'a dyn TriggerSource<'f>,
     /// Assignments written so far.
     values: Vec<Value<'f>>,
     /// Circles written so far: abscissa and ordinate of the centre, radius and residual.
     circles: Vec<(Samples, [Value<'f>; 4])>,
 }
 
-impl<'f> Plain<'_, 'f> {
+impl<'f> Lowering<'_, 'f> {
     /// Writes a node and its operands.
     fn node(&mut self, id: NodeId) -> NodeId {
         let node = match self.formula.node(id) {

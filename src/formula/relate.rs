@@ -4,7 +4,8 @@ use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
 use crate::formula::plain;
 use crate::formula::{
-    CircleFit, Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role, fit_circle,
+    CircleFit, Coordinate, CycleSamples, Formula, Name, OffsetCorrection, ResultDef, Role,
+    fit_circle,
 };
 use crate::geom::Vec2;
 use crate::num::wrap_degrees;
@@ -49,7 +50,11 @@ pub enum RelationDrawing {
 
 /// Adds the computation with these operands to a formula; of a single result only the first of the two entries counts. `heights`: whether all operands are
 /// measured heights. Returns the correction of a work offset that the relation gives.
-type Write = for<'f> fn(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum>;
+type Write = for<'f> fn(
+    f: &'f Draft,
+    of: &[[MeasuredValue<'f>; 2]],
+    heights: bool,
+) -> Option<OffsetCorrection>;
 
 /// Results for operands with these values. `directions`: whether single results are directions.
 type Values = fn(of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>>;
@@ -173,7 +178,7 @@ pub enum Operand {
 
 /// A relation with its operands.
 #[derive(Clone, Debug)]
-pub struct Relating {
+pub struct RelationTerm {
     pub relation: Relation,
     pub of: Vec<Operand>,
     /// Whether all operands are measured heights, so that a height can be written.
@@ -182,7 +187,7 @@ pub struct Relating {
 
 /// A measured value and its nominal one.
 #[derive(Clone, Copy)]
-struct Known<'f> {
+struct MeasuredValue<'f> {
     value: Value<'f>,
     nominal: f64,
     role: Role,
@@ -190,7 +195,7 @@ struct Known<'f> {
 
 impl Formula {
     /// Adds a relation with its name. Its results come last. Returns the correction of a work offset that it gives.
-    pub fn relate(&mut self, name: &str, related: &Relating) -> Option<Datum> {
+    pub fn relate(&mut self, name: &str, related: &RelationTerm) -> Option<OffsetCorrection> {
         // A relation has no samples.
         let first_sample = self.cycles.last().map_or(0, |last| last.first_sample);
         self.continued(name, first_sample, |draft| write(draft, related))
@@ -226,12 +231,12 @@ impl Formula {
 
 fn write(
     f: &Draft,
-    Relating {
+    RelationTerm {
         relation,
         of,
         heights,
-    }: &Relating,
-) -> Option<Datum> {
+    }: &RelationTerm,
+) -> Option<OffsetCorrection> {
     let known = |result: usize| {
         let ResultDef {
             nominal,
@@ -239,7 +244,7 @@ fn write(
             variable,
             ..
         } = f.result_at(result);
-        Known {
+        MeasuredValue {
             value: f.known(variable.unwrap_or(Variable(0))),
             nominal,
             role,
@@ -249,11 +254,15 @@ fn write(
         Operand::Place(axes) => axes.map(known),
         Operand::Result(result) => [known(result); 2],
     };
-    let of: Vec<[Known<'_>; 2]> = of.iter().map(place).collect();
+    let of: Vec<[MeasuredValue<'_>; 2]> = of.iter().map(place).collect();
     (relation.write)(f, &of, *heights)
 }
 
-fn middle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+fn middle<'f>(
+    f: &'f Draft,
+    of: &[[MeasuredValue<'f>; 2]],
+    _heights: bool,
+) -> Option<OffsetCorrection> {
     let count = of.len() as f64;
     let axis = |axis: usize, name: &'static str| {
         let sum = f.sum(of.iter().map(|place| place[axis].value));
@@ -266,7 +275,11 @@ fn middle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Dat
     Some(center(f, x, y))
 }
 
-fn pitch_circle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+fn pitch_circle<'f>(
+    f: &'f Draft,
+    of: &[[MeasuredValue<'f>; 2]],
+    _heights: bool,
+) -> Option<OffsetCorrection> {
     let nominal: Vec<[f64; 2]> = of
         .iter()
         .map(|place| place.map(|known| known.nominal))
@@ -313,7 +326,7 @@ fn pitch_circle_of(of: &[[f64; 2]]) -> Vec<Option<f64>> {
 }
 
 /// States a position as results, and returns the correction of a work offset that it gives.
-fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> Datum {
+fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> OffsetCorrection {
     f.result(
         "center.x",
         Role::Abscissa,
@@ -328,11 +341,15 @@ fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> Datum {
         y.1,
         Some(y.0),
     );
-    Datum::point(x, y)
+    OffsetCorrection::point(x, y)
 }
 
 /// Distance, and the direction as nominal plus deviation: near half a turn a control may return an angle a whole turn away.
-fn line<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+fn line<'f>(
+    f: &'f Draft,
+    of: &[[MeasuredValue<'f>; 2]],
+    _heights: bool,
+) -> Option<OffsetCorrection> {
     let [from, to] = [of[0], of[1]];
     let [dx, dy] =
         [("dx", 0), ("dy", 1)].map(|(name, axis)| f.set(name, to[axis].value - from[axis].value));
@@ -378,7 +395,7 @@ fn line_of(of: &[[f64; 2]], _directions: bool) -> Vec<Option<f64>> {
 }
 
 /// Deviation of a value from nominal; of a direction within ±180°. `number` tells the names apart.
-fn off<'f>(f: &'f Draft, number: usize, known: Known<'f>) -> Expr<'f> {
+fn off<'f>(f: &'f Draft, number: usize, known: MeasuredValue<'f>) -> Expr<'f> {
     let constant = if known.role.is_angle() {
         f.number(known.nominal)
     } else {
@@ -394,7 +411,7 @@ fn off<'f>(f: &'f Draft, number: usize, known: Known<'f>) -> Expr<'f> {
 }
 
 /// Role of a result computed from single results: sizes give a size, other lengths a coordinate.
-fn role_of(known: &[Known<'_>]) -> Role {
+fn role_of(known: &[MeasuredValue<'_>]) -> Role {
     match known[0].role {
         Role::Size => Role::Size,
         Role::Residual => Role::Residual,
@@ -403,7 +420,11 @@ fn role_of(known: &[Known<'_>]) -> Role {
     }
 }
 
-fn difference<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+fn difference<'f>(
+    f: &'f Draft,
+    of: &[[MeasuredValue<'f>; 2]],
+    _heights: bool,
+) -> Option<OffsetCorrection> {
     let [first, second] = [of[0][0], of[1][0]];
     let nominal = first.nominal - second.nominal;
     if first.role.is_angle() {
@@ -436,8 +457,12 @@ fn difference<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option
     None
 }
 
-fn mean<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum> {
-    let known: Vec<Known<'f>> = of.iter().map(|operand| operand[0]).collect();
+fn mean<'f>(
+    f: &'f Draft,
+    of: &[[MeasuredValue<'f>; 2]],
+    heights: bool,
+) -> Option<OffsetCorrection> {
+    let known: Vec<MeasuredValue<'f>> = of.iter().map(|operand| operand[0]).collect();
     let count = known.len() as f64;
     let nominal = mean_of(
         &known.iter().map(|known| known.nominal).collect::<Vec<_>>(),
@@ -477,7 +502,7 @@ fn mean<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum>
         );
         value
     };
-    heights.then(|| Datum::of([None, None, Some(Coordinate::measured(value, nominal))]))
+    heights.then(|| OffsetCorrection::of([None, None, Some(Coordinate::measured(value, nominal))]))
 }
 
 /// Mean of the values. Directions are averaged about the first one, from which none differs by more than half a turn.

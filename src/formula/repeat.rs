@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 
 use crate::formula::draft::{Draft, Expr, Value};
-use crate::formula::plain::Source;
-use crate::formula::{Name, Role, Used};
+use crate::formula::plain::TriggerSource;
+use crate::formula::{Name, Role, UsedTriggers};
 use crate::geom::Vec3;
 use crate::num::tidy;
 use crate::text::words;
@@ -15,7 +15,7 @@ pub(super) struct Repeats<'f> {
     /// Probing direction of each sample.
     along: Vec<Vec3>,
     /// Coordinates of each sample that the formula reads.
-    used: Used,
+    used: UsedTriggers,
     written: RefCell<Written<'f>>,
 }
 
@@ -30,14 +30,14 @@ struct Written<'f> {
 
 const MEANS: [&str; 3] = ["_x", "_y", "_z"];
 
-impl<'f> Source<'f> for Repeats<'f> {
+impl<'f> TriggerSource<'f> for Repeats<'f> {
     fn trigger(&self, f: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
         self.mean(f, sample, axis).into()
     }
 }
 
 impl<'f> Repeats<'f> {
-    pub(super) fn of(times: usize, along: &[Vec3], used: Used) -> Self {
+    pub(super) fn of(times: usize, along: &[Vec3], used: UsedTriggers) -> Self {
         Repeats {
             times,
             along: along.to_vec(),

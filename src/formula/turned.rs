@@ -8,12 +8,12 @@ use std::cell::RefCell;
 
 use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
-use crate::formula::plain::{self, Source};
-use crate::formula::{Coordinate, Datum, Formula, Name, ResultDef, Role, Used};
+use crate::formula::plain::{self, TriggerSource};
+use crate::formula::{Coordinate, Formula, Name, OffsetCorrection, ResultDef, Role, UsedTriggers};
 
 /// Rotation of a cycle and its centre.
 #[derive(Clone, Copy, Debug)]
-pub struct Turn<T> {
+pub struct CycleRotation<T> {
     /// Axes of abscissa and ordinate.
     pub axes: [usize; 2],
     /// Centre of the rotation on the nominal part: abscissa and ordinate, mm.
@@ -27,7 +27,7 @@ pub struct Turn<T> {
     pub shift: [Option<T>; 2],
 }
 
-impl Turn<f64> {
+impl CycleRotation<f64> {
     /// Whether all its values are known.
     pub fn is_known(&self) -> bool {
         let all = [self.angle, self.sine, self.cosine];
@@ -37,9 +37,9 @@ impl Turn<f64> {
     }
 }
 
-impl<T: Copy> Turn<T> {
-    pub fn map<U>(&self, change: impl Fn(T) -> U) -> Turn<U> {
-        Turn {
+impl<T: Copy> CycleRotation<T> {
+    pub fn map<U>(&self, change: impl Fn(T) -> U) -> CycleRotation<U> {
+        CycleRotation {
             axes: self.axes,
             about: self.about,
             angle: change(self.angle),
@@ -69,9 +69,9 @@ impl Known {
 type Pair = [Known; 2];
 
 /// Result of rotating the formula of a cycle.
-struct Written {
+struct TurnedFormula {
     results: Vec<ResultDef>,
-    datum: Option<Datum>,
+    datum: Option<OffsetCorrection>,
 }
 
 impl Formula {
@@ -91,10 +91,10 @@ impl Formula {
         name: &str,
         own: &Formula,
         first_sample: usize,
-        turn: &Turn<Variable>,
-    ) -> (u32, Option<Datum>) {
+        turn: &CycleRotation<Variable>,
+    ) -> (u32, Option<OffsetCorrection>) {
         let (later, cycle) = (self.assignments.len() as u32, self.cycles.len() as u16);
-        let Written { results, datum } = self.continued(name, first_sample, |draft| {
+        let TurnedFormula { results, datum } = self.continued(name, first_sample, |draft| {
             write(
                 own,
                 draft,
@@ -111,18 +111,18 @@ impl Formula {
     }
 
     /// The formula of a cycle with a known rotation.
-    pub fn turned(&self, turn: &Turn<f64>) -> Formula {
+    pub fn turned(&self, turn: &CycleRotation<f64>) -> Formula {
         let draft = Draft::with_room_for(crate::formula::MOST_SAMPLES);
-        let numbers = Turn {
+        let numbers = CycleRotation {
             shift: [None; 2],
             ..turn.map(|number| draft.number(number))
         };
         let lengths = turn.shift.map(|shift| shift.map(|mm| draft.length(mm)));
-        let Written { results, datum } = write(
+        let TurnedFormula { results, datum } = write(
             self,
             &draft,
             0,
-            Turn {
+            CycleRotation {
                 shift: lengths,
                 ..numbers
             },
@@ -145,18 +145,18 @@ fn coordinate_of(code: &'static str) -> Option<(&'static str, usize)> {
 }
 
 /// Triggers of a rotated cycle, rotated back to the unrotated part.
-struct Back<'f> {
-    turn: Turn<Expr<'f>>,
+struct UnturnedTriggers<'f> {
+    turn: CycleRotation<Expr<'f>>,
     first_sample: usize,
-    used: Used,
+    used: UsedTriggers,
     written: RefCell<Vec<((usize, usize), Value<'f>)>>,
 }
 
 const AXES: [&str; 3] = ["_x", "_y", "_z"];
 
-impl<'f> Source<'f> for Back<'f> {
+impl<'f> TriggerSource<'f> for UnturnedTriggers<'f> {
     fn trigger(&self, f: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
-        let Turn {
+        let CycleRotation {
             axes,
             about,
             sine,
@@ -204,8 +204,13 @@ impl<'f> Source<'f> for Back<'f> {
     }
 }
 
-fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'f>>) -> Written {
-    let back = Back {
+fn write<'f>(
+    own: &Formula,
+    f: &'f Draft,
+    first_sample: usize,
+    turn: CycleRotation<Expr<'f>>,
+) -> TurnedFormula {
+    let back = UnturnedTriggers {
         turn,
         first_sample,
         used: own.used(),
@@ -313,11 +318,11 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
             Coordinate { measured, ..place }
         };
         let place = [0, 1, 2].map(|i| datum.place[i].map(|place| moved(i, place)));
-        Datum {
+        OffsetCorrection {
             place,
             rotation: None,
             ..datum
         }
     });
-    Written { results, datum }
+    TurnedFormula { results, datum }
 }

@@ -4,7 +4,7 @@
 //! from the nominal surface to the ball centre, so the overtravel is Q plus the ball radius; R counts from the surface of the ball. Both follow from the macros
 //! \[I\].
 
-use crate::control::Form;
+use crate::control::ProgramForm;
 use crate::control::native::heidenhain::row;
 use crate::control::native::rows::{Probed, Shape};
 use crate::control::sinumerik::cycles::called;
@@ -78,7 +78,7 @@ impl Called<'_> {
             set(
                 &mut job,
                 "control.form",
-                Value::Text(Form::Cycle.word().to_owned()),
+                Value::Text(ProgramForm::Cycle.word().to_owned()),
             );
         }
         if let Some(offset) = said.offset {

@@ -5,7 +5,7 @@ use crate::form::{Checker, Value};
 use crate::job::Job;
 use crate::job::defaults::resolved;
 use crate::job::planned::Planned;
-use crate::path::{Feature, OwnBlock, Parameter, ParameterValue, Path};
+use crate::path::{CallBlock, Feature, Parameter, ParameterValue, Path};
 
 /// Change of a value, in units of the job.
 const STEP: f64 = 1.0 / 128.0;
@@ -79,7 +79,7 @@ fn planned(job: &Value) -> Option<Planned> {
 
 /// Words of the calls; `None` if nothing is called.
 fn words(planned: &Planned) -> Option<Vec<Word>> {
-    let (own, cycles) = (planned.path.own.as_ref()?, planned.job.post.own?);
+    let (own, cycles) = (planned.path.calls.as_ref()?, planned.job.post.own?);
     let all = own.blocks.iter().flat_map(|(block, _)| {
         let measures = block.measures();
         let of = |number: u32, name: String, value: f64| Word {
@@ -88,15 +88,15 @@ fn words(planned: &Planned) -> Option<Vec<Word>> {
             measures,
         };
         match block {
-            OwnBlock::Call(number, letters) => letters
+            CallBlock::Call(number, letters) => letters
                 .iter()
                 .map(|(letter, x)| of(*number, letter.to_string(), x.value()))
                 .collect::<Vec<Word>>(),
-            OwnBlock::Cycle(number, places) => places
+            CallBlock::Cycle(number, places) => places
                 .iter()
                 .map(|(place, x)| of(u32::from(*number), place.to_string(), x.value()))
                 .collect(),
-            OwnBlock::Goes(..) | OwnBlock::Keep(..) => Vec::new(),
+            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => Vec::new(),
         }
     });
     Some(all.collect())

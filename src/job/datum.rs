@@ -7,7 +7,7 @@ use crate::job::cycles::DATUM;
 use crate::job::planned::{Planned, several};
 use crate::job::rows::{DatumRow, ResultRow, ResultWords};
 use crate::num::tidy;
-use crate::path::{DatumSource, Measuring, Path};
+use crate::path::{DatumSource, Path, ResultSource};
 use crate::text::{Text, text, words};
 
 /// A result that an axis of the work offset, or its rotation, can be written from.
@@ -117,7 +117,7 @@ pub fn read(
 fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     let members = &whole.members;
     let moves = members[0].job.post.moves();
-    let name = |member: usize| whole.path.members[member].name.clone();
+    let name = |member: usize| whole.path.cycles[member].name.clone();
     let early = written
         .place
         .iter()
@@ -208,7 +208,7 @@ fn unknown_datum(text: &str, axis: usize, all: &[Candidate]) -> Text {
 
 /// Results that an axis of the work offset, or its rotation, can be written from.
 fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
-    let of = |(of, own): (usize, Measuring<'_>)| {
+    let of = |(of, own): (usize, ResultSource<'_>)| {
         let measured = own
             .datum
             .and_then(|datum| datum.place.get(axis).copied().flatten()?.measured);
@@ -230,8 +230,8 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         found.collect::<Vec<_>>()
     };
     // Native cycles write what they measure, but no relation.
-    let count = if path.own.is_some() {
-        path.members.len()
+    let count = if path.calls.is_some() {
+        path.cycles.len()
     } else {
         usize::MAX
     };
@@ -249,7 +249,7 @@ fn proposed(path: &Path, axis: usize, of: std::ops::Range<usize>) -> Option<usiz
         .map(|own| {
             own.datum
                 .as_ref()
-                .map_or([false; 3], crate::formula::Datum::measured)
+                .map_or([false; 3], crate::formula::OffsetCorrection::measured)
         })
         .collect();
     let both = || of.clone().find(|i| all[*i][0] && all[*i][1]);
@@ -389,7 +389,7 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
 /// Possible sources of each axis, and the used one.
 pub fn datum_rows(whole: &Planned) -> Vec<DatumRow> {
     let (path, source) = (&whole.path, whole.path.datum_source);
-    if path.members.is_empty() {
+    if path.cycles.is_empty() {
         return Vec::new();
     }
     let row = |(i, axis): (usize, &'static str)| {

@@ -115,7 +115,10 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
             let mut entries = default_values(fields);
             // A form starts with the cycle's default control; a job that leaves it out gets the reader's default.
             if *path == "control" && inch != Inch::Exact {
-                for (key, value) in [("post", def.home.0), ("form", def.home.1)] {
+                for (key, value) in [
+                    ("post", def.default_control.0),
+                    ("form", def.default_control.1),
+                ] {
                     entries.retain(|(k, _)| k != key);
                     entries.push((key.to_owned(), Value::Text(value.to_owned())));
                 }

@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use crate::control::Form;
+use crate::control::ProgramForm;
 use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Formula, Role, Variable};
 use crate::geom::{Plane, Vec3};
@@ -11,7 +11,9 @@ use crate::job::planned::{Planned, several};
 use crate::job::relations::Relations;
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::Run;
-use crate::path::{Along, Follows, Measuring, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
+use crate::path::{
+    Dependencies, MovePurpose, Path, ResultSource, Shifts, SizeSensitivity, ZERO_LENGTH, far_apart,
+};
 use crate::text::{Text, text};
 use crate::{formula, part};
 
@@ -97,7 +99,7 @@ pub fn followed(cycles: &[Value]) -> Vec<&str> {
 /// Dependencies of a cycle whose sizes are not tried yet.
 #[derive(Debug, Default)]
 pub struct Wanted {
-    pub follows: Follows,
+    pub follows: Dependencies,
     /// Keys of the sizes that follow a result, with the indices of the results.
     sizes: Vec<(String, usize)>,
 }
@@ -292,7 +294,7 @@ fn find(name: &str, kind: Kind, earlier: &Earlier<'_>) -> Result<Known, Text> {
     let path = earlier.path;
     let plane = earlier.first.map_or(Plane::G17, |job| job.setup.plane);
     let results_of =
-        |path: &Path, own: &Measuring<'_>| known(&path.formula, own, plane.axes(), kind);
+        |path: &Path, own: &ResultSource<'_>| known(&path.formula, own, plane.axes(), kind);
     let source = path
         .measuring()
         .find(|own| own.name.eq_ignore_ascii_case(of));
@@ -359,7 +361,7 @@ fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
 
 /// Reason why no cycle can follow a result in the program of a job.
 fn cannot_follow(job: &Job) -> Option<Text> {
-    if several(job).is_some() || job.form == Form::Cycle {
+    if several(job).is_some() || job.form == ProgramForm::Cycle {
         return Some(match job.post.moves() {
             true => text!(
                 "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
@@ -416,7 +418,7 @@ struct Known {
 }
 
 /// Measured results of a cycle or relation of this kind. `axes` are abscissa, ordinate and tool axis.
-fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
+fn known(formula: &Formula, own: &ResultSource<'_>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
     let datum = own.datum.map(|datum| {
         datum
             .place
@@ -459,7 +461,7 @@ pub fn settle(
     (index, single): (usize, &Value),
     planned: &Planned,
     earlier: &Path,
-) -> Follows {
+) -> Dependencies {
     let Wanted { mut follows, sizes } = wanted;
     let origin = planned.path.frame.origin;
     let [a, o, _] = planned.job.setup.plane.axes();
@@ -520,7 +522,12 @@ fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usiz
 }
 
 /// Sensitivity of a cycle's moves to a size, tried at both ends of its limit, or the reason why there is none.
-fn along(checker: &Checker, planned: &Planned, single: &Value, key: &str) -> Result<Along, Text> {
+fn along(
+    checker: &Checker,
+    planned: &Planned,
+    single: &Value,
+    key: &str,
+) -> Result<SizeSensitivity, Text> {
     let Planned { path, job, .. } = planned;
     let limit = job.limits.size.unwrap_or(0.0);
     let at = |by: f64| {
@@ -540,7 +547,7 @@ fn along(checker: &Checker, planned: &Planned, single: &Value, key: &str) -> Res
         })
     };
     let (less, more) = (at(-limit)?, at(limit)?);
-    Along::of(&less, path, &more, limit).ok_or_else(|| {
+    SizeSensitivity::of(&less, path, &more, limit).ok_or_else(|| {
         text!("This size cannot follow a result: the moves of the cycle do not go along with it evenly")
     })
 }
@@ -584,13 +591,13 @@ pub fn run(whole: &mut Planned) {
     for m in 0..whole.members.len() {
         // Checks and shifts of a cycle depend on earlier cycles.
         let asked = whole.path.asked_before(m, &whole.job.limits);
-        if whole.path.members[m].placing.follows.is_empty() {
+        if whole.path.cycles[m].placing.follows.is_empty() {
             continue;
         }
         let values = part::numbers(&whole.path, &triggers(whole));
         if let Some(question) = asked
             .iter()
-            .find(|question| !question.holds(values[question.variable.index()]))
+            .find(|question| !question.is_within(values[question.variable.index()]))
         {
             for planned in &mut whole.members[m..] {
                 let triggers = vec![None; planned.path.touches.len()];
@@ -602,7 +609,7 @@ pub fn run(whole: &mut Planned) {
             }
             return;
         }
-        let begin = whole.path.members[m].moves.start;
+        let begin = whole.path.cycles[m].moves.start;
         let by = |index: Option<usize>, place: Vec3| match index {
             Some(index) => shift(&whole.path.shifts_at(begin + index, place), &values),
             None => begin
@@ -633,9 +640,9 @@ fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
 }
 
 /// Rotation of a cycle, by the values of the joined formula.
-fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::Turn<f64>> {
+fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::CycleRotation<f64>> {
     Some(
-        path.members[member]
+        path.cycles[member]
             .placing
             .turn()?
             .map(|known| values[known.index()]),
@@ -644,11 +651,11 @@ fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::Turn<f64>
 
 /// The path of a cycle that follows a direction, with its formula rotated as these touches give.
 pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option<Path> {
-    let nominal = &whole.path.members[member].path.formula;
-    whole.path.members[member].placing.turn()?;
+    let nominal = &whole.path.cycles[member].path.formula;
+    whole.path.cycles[member].placing.turn()?;
     let turn = turn(&whole.path, member, &part::numbers(&whole.path, points))?;
     // If a control states its results there are no points: their uncertainty is that of the nominal part.
-    let nothing = formula::Turn {
+    let nothing = formula::CycleRotation {
         shift: turn.shift.map(|shift| shift.map(|_| 0.0)),
         ..turn.map(|_| 0.0)
     };
@@ -664,7 +671,7 @@ pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option
 
 /// Shift of a position, mm; 0 if it is unknown.
 fn shift(shifts: &Shifts, values: &[f64]) -> Vec3 {
-    let by = |term: &crate::path::Term| term.factor * values[term.by.index()];
+    let by = |term: &crate::path::ShiftTerm| term.factor * values[term.by.index()];
     let sum = shifts
         .each_ref()
         .map(|terms| terms.iter().map(by).sum::<f64>());
@@ -706,7 +713,7 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     };
     let message = text!(
         "On this part the program stops before {cycle}: {result} is {value}, more than {limit} from {wanted}",
-        whole.path.members[m].name.clone(),
+        whole.path.cycles[m].name.clone(),
         whole
             .path
             .formula
@@ -748,8 +755,8 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
         let along = way.dot(w);
         // A move that is rotated as a whole keeps its length.
         let member = path.member_of_move(index + 1).unwrap_or(0);
-        if path.members[member].placing.turn().is_some()
-            && path.members[member].moves.contains(&index)
+        if path.cycles[member].placing.turn().is_some()
+            && path.cycles[member].moves.contains(&index)
         {
             continue;
         }
@@ -768,7 +775,7 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
             continue;
         };
         let (name, least) = (
-            path.members[member].name.clone(),
+            path.cycles[member].name.clone(),
             checker.length(far + job.post.shortest_probe),
         );
         let (number, length, far) = (index + 2, checker.length(length), checker.length(far));
@@ -805,7 +812,7 @@ fn moved(path: &Path, by: impl Fn(Option<usize>, Vec3) -> Vec3) -> Path {
     path.start = path.start.map(|start| start + by(None, start));
     for index in 0..path.moves.len() {
         let step = &mut path.moves[index];
-        if let Purpose::Touch(k) = step.purpose {
+        if let MovePurpose::Touch(k) = step.purpose {
             let touch = &mut path.touches[k];
             let at = by(Some(index), touch.point);
             touch.vector =

@@ -1,10 +1,10 @@
 //! Checks whether the axes stop in time after a contact, and whether a touch reaches its feed before it.
 
-use crate::control::{Form, Request};
+use crate::control::{ProgramForm, Request};
 use crate::form::Checker;
 use crate::geom::Vec3;
 use crate::job::Job;
-use crate::path::{Feed, Move, Path, Purpose};
+use crate::path::{Feed, Move, MovePurpose, Path};
 use crate::text::text;
 
 /// Checks every touch and every watched move against the stopping and run-up distances of the machine.
@@ -16,7 +16,7 @@ pub fn report_inertia(job: &Job, request: &Request<'_>, checker: &mut Checker) {
 
 /// Whether the touches run at the feed of the job: a native cycle has its own measuring feed, but 1411 takes F.
 fn feed_is_known(job: &Job, path: &Path) -> bool {
-    job.form == Form::Moves || path.feeds.is_some()
+    job.form == ProgramForm::Moves || path.feeds.is_some()
 }
 
 /// Reports a feed of touches at which the axes stop too late for the stylus.
@@ -91,15 +91,15 @@ fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
 
 /// Feed of a positioning move that the program itself makes, mm/min. With native cycles it makes the approach and the return.
 fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
-    let made = job.form == Form::Moves || matches!(step.feed, Feed::Approach | Feed::Return);
-    (made && step.purpose == Purpose::Position)
+    let made = job.form == ProgramForm::Moves || matches!(step.feed, Feed::Approach | Feed::Return);
+    (made && step.purpose == MovePurpose::Position)
         .then(|| (job.post.rate)(request, from, step))
         .flatten()
 }
 
 /// Path of the job field with a feed.
 fn field_of(path: &Path, feed: Feed) -> &'static str {
-    match (path.feeds.is_some() && path.own.is_none(), feed) {
+    match (path.feeds.is_some() && path.calls.is_none(), feed) {
         (true, Feed::Work) => "cycle.probe.feed",
         (true, _) => "cycle.probe.rapid",
         (false, Feed::Approach) => "feeds.approach",

@@ -1,8 +1,8 @@
 //! Verdicts of results: implausible, good, out of tolerance.
 
-use crate::control::Form;
+use crate::control::ProgramForm;
 use crate::form::Checker;
-use crate::formula::{self, Asked, ON_LIMIT, Question, Tolerance};
+use crate::formula::{self, CheckKind, ON_LIMIT, ResultCheck, Tolerance};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::planned::Planned;
@@ -11,17 +11,17 @@ use crate::path::{Guard, Off, Path};
 use crate::text::{Text, text};
 
 /// Judges results by their tolerances and limits. Returns the failed checks of the program, implausible ones first.
-pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
+pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<ResultCheck> {
     by_tolerances(path, rows);
-    let mut off = path.formula.questions(&job.limits);
+    let mut off = path.formula.result_checks(&job.limits);
     off.retain(|question| {
         // A cycle may have added rows after those of the formula.
         let row = rows.get_mut(question.result);
-        let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value)))
+        let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.is_within(value)))
         else {
             return false;
         };
-        if question.asked == Asked::Plausible {
+        if question.asked == CheckKind::Plausibility {
             row.verdict = Some(text!("implausible"));
         }
         true
@@ -33,13 +33,13 @@ pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Que
 fn report_tolerances(
     job: &Job,
     rows: &[formula::ResultRow],
-    off: &[Question],
+    off: &[ResultCheck],
     writes: bool,
     checker: &mut Checker,
 ) {
     for question in off
         .iter()
-        .filter(|question| question.asked != Asked::Plausible)
+        .filter(|question| question.asked != CheckKind::Plausibility)
     {
         let Some(row) = rows.get(question.result) else {
             continue;
@@ -102,7 +102,7 @@ fn stops_for(
         }
     };
     // Each cycle of a set-up is judged separately.
-    let own = path.own.iter().filter(|_| path.members.is_empty());
+    let own = path.calls.iter().filter(|_| path.cycles.is_empty());
     own.flat_map(|own| &own.guards).find_map(
         |Guard {
              codes,
@@ -171,7 +171,7 @@ fn wall_turn(path: &Path, triggers: &[Option<Vec3>], group: usize) -> Option<f64
 pub fn report_judged(
     planned: &Planned,
     rows: &[formula::ResultRow],
-    off: &[Question],
+    off: &[ResultCheck],
     writes: bool,
     checker: &mut Checker,
 ) {
@@ -196,7 +196,7 @@ pub fn report_judged(
     }
     let Some(question) = off
         .first()
-        .filter(|question| question.asked == Asked::Plausible)
+        .filter(|question| question.asked == CheckKind::Plausibility)
     else {
         return report_tolerances(job, rows, off, writes, checker);
     };
@@ -222,7 +222,7 @@ pub fn report_judged(
         limit,
         wanted
     );
-    let asks = job.post.computes && job.form == Form::Moves;
+    let asks = job.post.computes && job.form == ProgramForm::Moves;
     let message = match (asks, writes) {
         (true, true) => text!(
             "On this part the program stops with an alarm and writes nothing: {what}",

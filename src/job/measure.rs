@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::form::{Checker, Finding, Value};
-use crate::formula::{Asked, Role};
+use crate::formula::{CheckKind, Role};
 use crate::geom::Vec3;
 use crate::job::judge::judge;
 use crate::job::plan::request;
@@ -77,11 +77,11 @@ fn evaluated(
         judge_touches(job, path, points, &mut rows);
         let plausible = judge(job, path, &mut rows)
             .iter()
-            .all(|question| question.asked != Asked::Plausible);
+            .all(|question| question.asked != CheckKind::Plausibility);
         return (result_rows(job, path, rows), plausible);
     }
     let (mut results, mut plausible) = (Vec::new(), true);
-    for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
+    for (i, (own, member)) in members.iter().zip(&path.cycles).enumerate() {
         let stated = stated.map(|results| &results[member.results.clone()]);
         let turned = follows::turned(planned, i, points);
         let path = turned.as_ref().unwrap_or(&own.path);

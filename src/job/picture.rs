@@ -1,6 +1,6 @@
 //! The picture of a planned job: its scene and the texts in it.
 
-use crate::form::{Seen, Value};
+use crate::form::{BestView, Value};
 use crate::geom::Vec3;
 use crate::job::{JobError, Planned, plan_with_path};
 use crate::num::decimal;
@@ -47,7 +47,7 @@ impl Planned {
         } else {
             let feeds = path.feeds.unwrap_or(job.feeds);
             let mut scene = scene::between(path, &job.setup, &feeds, run.collision, view);
-            for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
+            for (i, (own, member)) in members.iter().zip(&path.cycles).enumerate() {
                 let pale = hand.is_some_and(|hand| hand != i);
                 scene.take(
                     own.scene(view, magnify),
@@ -137,9 +137,9 @@ impl Planned {
             .and_then(|key| self.job.def.fields.iter().find(|field| field.key == key));
         let flat = |along: Vec3| view.place(plane, along).length() > 0.999;
         let seen = match whole.and_then(|field| field.seen) {
-            Some(Seen::Turning) => view == Projection::Top,
-            Some(Seen::Upright) => flat(path.frame.w),
-            Some(Seen::Placed) => Vec3::AXES
+            Some(BestView::Rotation) => view == Projection::Top,
+            Some(BestView::Height) => flat(path.frame.w),
+            Some(BestView::Position) => Vec3::AXES
                 .into_iter()
                 .zip(["0", "1", "2"])
                 .any(|(along, name)| name == axis && flat(along)),

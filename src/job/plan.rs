@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::control::release::{Refusal, release};
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
-use crate::control::{Form, Header, Request};
+use crate::control::{HeaderDetail, ProgramForm, Request};
 use crate::form::{Checker, Finding, Value};
 use crate::formula::{self, Role};
 use crate::geom::Vec3;
@@ -25,14 +25,15 @@ use crate::job::{
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{
-    Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault,
+    Feature, Feeds, MOST_ASKEW, MovePurpose, Path, RAPID_RATE, SHORTEST_TOUCH, TouchError,
 };
 use crate::text::{Text, text};
 
 /// Reads a job and plans its path, or those of its cycles. Reports everything; `None` if anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let planned = read_in_its_form(checker, value);
-    if checker.has_at("form-unsupported", "control.form") && is_taken_in(value, Form::Cycle) {
+    if checker.has_at("form-unsupported", "control.form") && is_taken_in(value, ProgramForm::Cycle)
+    {
         checker.info(
             "other-form",
             "control.form",
@@ -66,7 +67,7 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
     let of_cycles = post
         .unused_by_cycles
         .iter()
-        .filter(|_| job.form == Form::Cycle)
+        .filter(|_| job.form == ProgramForm::Cycle)
         .filter_map(|path| path.split_once('.'));
     for (section, key) in of_control.chain(of_cycles) {
         let Some(given) = value.get(section).and_then(|entries| entries.get(key)) else {
@@ -96,7 +97,7 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
 }
 
 /// Whether the control supports a job in this form.
-fn is_taken_in(value: &Value, form: Form) -> bool {
+fn is_taken_in(value: &Value, form: ProgramForm) -> bool {
     let mut value = value.clone();
     let form = Value::Map(vec![(
         "form".to_owned(),
@@ -120,14 +121,14 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
         let field = picked(job, path, k);
         let n = k + 1;
         let (code, message) = match fault {
-            TouchFault::Missing => (
+            TouchError::Missing => (
                 "touch-missing",
                 text!(
                     "Touch {touch} must be in the path exactly once, to assign its trigger",
                     n
                 ),
             ),
-            TouchFault::Short(way) => (
+            TouchError::Short(way) => (
                 "touch-too-short",
                 text!(
                     "Touch {touch} begins {way} before its nominal contact: at least {least} is needed, or the ball begins in contact",
@@ -136,7 +137,7 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
                     checker.length(SHORTEST_TOUCH)
                 ),
             ),
-            TouchFault::Askew(angle) => (
+            TouchError::Askew(angle) => (
                 "touch-askew",
                 text!(
                     "Touch {touch} would run {angle}° off its inverted target vector: at most {most}° is allowed",
@@ -152,7 +153,7 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
         report_close(job, path, checker);
         report_passes(job, path, checker);
     }
-    job.cycle.review(&job.setup, path, checker);
+    job.cycle.review_path(&job.setup, path, checker);
 }
 
 /// Usual displacement of a part, mm.
@@ -264,7 +265,7 @@ fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checke
         .unwrap_or(path)
         .searches()
         .find_map(|(k, from, _)| Some((k, near(k, from?)?)));
-    let Some((k, way)) = found.filter(|_| job.form == Form::Moves) else {
+    let Some((k, way)) = found.filter(|_| job.form == ProgramForm::Moves) else {
         return;
     };
     let message = text!(
@@ -286,7 +287,7 @@ fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checke
 
 /// Reports that the shown path is that of native cycles, and that an offset is written in parts.
 fn report_own(path: &Path, checker: &mut Checker) {
-    let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else {
+    let Some(own) = path.calls.as_ref().filter(|_| !path.moves.is_empty()) else {
         return;
     };
     let calls = own
@@ -302,7 +303,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
     let twice = path
         .moves
         .iter()
-        .any(|step| matches!(step.purpose, Purpose::Search(_)));
+        .any(|step| matches!(step.purpose, MovePurpose::Search(_)));
     let message = if twice {
         text!(
             "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
@@ -325,7 +326,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
 
 /// Reports a cycle that consists of table rows: its program does not carry out their requests.
 fn report_still(path: &Path, checker: &mut Checker) {
-    if matches!(path.feature, Feature::Unmoving) && path.own.is_none() {
+    if matches!(path.feature, Feature::Unmoving) && path.calls.is_none() {
         let message = text!(
             "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for is in the parameter table only, for a postprocessor"
         );
@@ -335,12 +336,12 @@ fn report_still(path: &Path, checker: &mut Checker) {
 
 /// Reports fields whose values the control has.
 fn report_predefined(job: &Job, checker: &mut Checker) {
-    for (field, label) in job.cycle.set_on_the_control() {
+    for (field, label) in job.cycle.predefined_fields() {
         let what = text!(
             "The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here",
             label
         );
-        if job.form == Form::Moves {
+        if job.form == ProgramForm::Moves {
             let message = text!(
                 "{what}. A program of moves needs the value: clear the flag and give it",
                 what
@@ -374,7 +375,7 @@ fn predicted(
         &job.placement,
     );
     // The macros judge by their own letters.
-    if path.own.is_none() {
+    if path.calls.is_none() {
         judge_touches(job, path, &run.triggers, &mut rows);
     }
     if run.collision.is_none() && run.halt.is_none() {
@@ -443,7 +444,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         return Ok(results);
     }
     let names: Vec<String> = path
-        .members
+        .cycles
         .iter()
         .map(|member| member.name.clone())
         .collect();
@@ -534,7 +535,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let Planned { job, path, run, .. } = planned;
     let feeds = path.feeds.unwrap_or(job.feeds);
     let results = results_of(planned, &mut checker)?;
-    let whole = if job.header == Header::Full {
+    let whole = if job.header == HeaderDetail::Full {
         resolved(value)
     } else {
         None
@@ -580,7 +581,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             })
             .collect(),
         cycles: path
-            .members
+            .cycles
             .iter()
             .map(|member| member.name.clone())
             .collect(),
@@ -605,7 +606,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             does: does.english(),
             said: does,
             proof: proof.map(ProofRow::of),
-            own: path.own.is_some(),
+            own: path.calls.is_some(),
         },
         safety: verdicts.into_iter().map(SafetyRow::of).collect(),
         table: Vec::new(),
@@ -760,10 +761,10 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
     }
     // A macro stops at the first touch without contact.
     let made = path.moves.iter().filter_map(|step| match step.purpose {
-        Purpose::Search(k) => Some((k, run.triggers[k])),
-        Purpose::Position | Purpose::Touch(_) | Purpose::Back(_) => None,
+        MovePurpose::Search(k) => Some((k, run.triggers[k])),
+        MovePurpose::Position | MovePurpose::Touch(_) | MovePurpose::Retract(_) => None,
     });
-    match path.own.is_some() {
+    match path.calls.is_some() {
         true => report_missed(
             path,
             made.filter(|(_, trigger)| trigger.is_none()).take(1),
@@ -823,8 +824,8 @@ fn report_collision(
     let made = path.moves[..index]
         .iter()
         .filter_map(|step| match step.purpose {
-            Purpose::Touch(k) => Some(k),
-            Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
+            MovePurpose::Touch(k) => Some(k),
+            MovePurpose::Position | MovePurpose::Search(_) | MovePurpose::Retract(_) => None,
         });
     report_missed(path, made.map(|k| (k, triggers[k])), field, checker);
 }

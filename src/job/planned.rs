@@ -2,16 +2,16 @@
 
 use std::borrow::Cow;
 
-use crate::control::Form;
-use crate::control::own::machine::{Alarm, Met};
-use crate::control::own::{OwnCycles, OwnRequest, Refused, Several};
+use crate::control::ProgramForm;
+use crate::control::own::machine::{Alarm, BallContact};
+use crate::control::own::{CycleLinking, NativeCycles, NativeRequest, Rejections};
 use crate::cycle::Repeat;
-use crate::formula::{Datum, ResultRow};
+use crate::formula::{OffsetCorrection, ResultRow};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::rows::{ParameterRow, parameter_row};
 use crate::part;
-use crate::path::{Own, Path, Purpose, Surface};
+use crate::path::{CallSequence, MovePurpose, Path, Surface};
 use crate::text::words;
 
 /// The surfaces of a cycle in the sizes of the actual part, at their nominal position.
@@ -45,11 +45,11 @@ fn meets<'s>(
     surfaces: &'s [Surface],
     up: Vec3,
     radius: f64,
-) -> impl Fn(Vec3, Vec3) -> Option<Met> + 's {
+) -> impl Fn(Vec3, Vec3) -> Option<BallContact> + 's {
     let obstacles = part::Obstacles::of(surfaces, up);
     move |from, to| {
         let contact = obstacles.first_contact(radius, from, to)?;
-        Some(Met {
+        Some(BallContact {
             center: contact.center,
             surface: contact.surface,
             edge: contact.edge,
@@ -58,11 +58,11 @@ fn meets<'s>(
 }
 
 /// Path of native cycles for a documented path, if the job asks for them; otherwise the documented path and the reasons.
-fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
-    let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else {
+fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Rejections) {
+    let Some(cycles) = job.post.own.filter(|_| job.form == ProgramForm::Cycle) else {
         return (path, Vec::new());
     };
-    let request = OwnRequest {
+    let request = NativeRequest {
         path: &path,
         setup: &job.setup,
         feeds: &job.feeds,
@@ -79,7 +79,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
         set_up: job.set_up,
         clear,
         wear: &job.wear,
-        takes_moves: (job.post.serves)(job.def.probes, Form::Moves).is_ok(),
+        takes_moves: (job.post.serves)(job.def.probes, ProgramForm::Moves).is_ok(),
     };
     let own = (cycles.plan)(
         &request,
@@ -95,7 +95,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
 pub fn judge_touches(job: &Job, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
     let times = job.times();
     if times == 1 {
-        return job.cycle.judge(&job.setup, path, triggers, rows);
+        return job.cycle.add_verdicts(&job.setup, path, triggers, rows);
     }
     let mean = |same: &[Option<Vec3>]| {
         let sum = same
@@ -105,14 +105,15 @@ pub fn judge_touches(job: &Job, path: &Path, triggers: &[Option<Vec3>], rows: &m
         sum.map(|sum| sum / times as f64)
     };
     let means: Vec<Option<Vec3>> = triggers.chunks(times).map(mean).collect();
-    job.cycle.judge(&job.setup, &path_of(job), &means, rows);
+    job.cycle
+        .add_verdicts(&job.setup, &path_of(job), &means, rows);
 }
 
 /// Runs the calls of a path on the actual part.
 fn own_run(
     path: &Path,
-    own: &Own,
-    cycles: &OwnCycles,
+    own: &CallSequence,
+    cycles: &NativeCycles,
     surfaces: &[Surface],
     radius: f64,
 ) -> part::Run {
@@ -128,7 +129,8 @@ fn own_run(
             .moves
             .get(index(made.count))
             .filter(|_| own.counts.binary_search(&made.count).is_ok());
-        if let (Some(Purpose::Touch(k)), Some(met)) = (step.map(|step| step.purpose), made.met) {
+        if let (Some(MovePurpose::Touch(k)), Some(met)) = (step.map(|step| step.purpose), made.met)
+        {
             run.triggers[k] = Some(met.center);
             if met.surface != path.touches[k].group {
                 run.strays.push((k, met.surface));
@@ -159,7 +161,7 @@ pub struct Planned {
     /// Run of the path on those surfaces.
     pub run: part::Run,
     /// Reasons against native cycles; empty if they are possible, or not asked for.
-    pub refused: Refused,
+    pub refused: Rejections,
     /// The cycles of a set-up, each planned separately; empty for a single cycle.
     pub members: Vec<Planned>,
     /// Path of a dry run, which the program makes instead.
@@ -180,7 +182,7 @@ impl Planned {
             _ => path,
         };
         let surfaces = actual_surfaces(&job, &path);
-        let run = match (&path.own, job.post.own) {
+        let run = match (&path.calls, job.post.own) {
             (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
             _ => part::run(&path, &surfaces, &job.setup),
         };
@@ -208,13 +210,18 @@ impl Planned {
     pub fn writes(&self) -> bool {
         self.dry.is_none()
             && self.job.work_offset.is_some()
-            && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
+            && self
+                .path
+                .formula
+                .datum
+                .as_ref()
+                .is_some_and(OffsetCorrection::writes)
     }
 
     /// The parameter table, in the job's units.
     pub fn table(&self) -> Vec<ParameterRow> {
         let of = |(cycle, planned): (usize, &Planned)| {
-            let member = &self.path.members[cycle];
+            let member = &self.path.cycles[cycle];
             let field = |field: String| match field.strip_prefix("cycle.") {
                 Some(rest) => format!("cycles[{cycle}].{rest}"),
                 None => field,
@@ -236,7 +243,7 @@ impl Planned {
         }
         // The table of the documented cycle, for moves and native cycles, once for repeated touches. A row names the first touch of its point.
         let times = self.job.times();
-        let documented = (self.path.own.is_some() || times > 1).then(|| path_of(&self.job));
+        let documented = (self.path.calls.is_some() || times > 1).then(|| path_of(&self.job));
         let touches = documented
             .as_ref()
             .map_or(&self.path.touches, |path| &path.touches);
@@ -254,7 +261,7 @@ impl Planned {
 }
 
 /// Linking of several native cycles in a program, or the reason why there is none; `None` for programs of moves.
-pub fn several(job: &Job) -> Option<Result<Several, &'static str>> {
+pub fn several(job: &Job) -> Option<Result<CycleLinking, &'static str>> {
     let none = Err(words!("{control} has no cycles of its own"));
-    (job.form == Form::Cycle).then(|| job.post.own.map_or(none, |own| Ok(own.several)))
+    (job.form == ProgramForm::Cycle).then(|| job.post.own.map_or(none, |own| Ok(own.several)))
 }

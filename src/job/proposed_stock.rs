@@ -126,8 +126,8 @@ fn fitted(path: &Path, job: &Job) -> Option<Stock> {
         below_studs: f64::INFINITY,
         opens: f64::NEG_INFINITY,
     };
-    let members = path.members.iter().map(|member| &member.path);
-    let alone = path.members.is_empty().then_some(path);
+    let members = path.cycles.iter().map(|member| &member.path);
+    let alone = path.cycles.is_empty().then_some(path);
     members
         .chain(alone)
         .for_each(|path| hull.take(path, radius));

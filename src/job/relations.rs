@@ -7,14 +7,14 @@ use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, result_row};
 use crate::num::tidy;
-use crate::path::{Measuring, Path};
+use crate::path::{Path, ResultSource};
 use crate::text::{Text, text};
 
 /// Possible operands: the cycles and relations known so far, in the joined formula.
 #[derive(Debug)]
 struct Known<'a> {
     formula: &'a Formula,
-    measuring: Vec<Measuring<'a>>,
+    measuring: Vec<ResultSource<'a>>,
     /// Whether the job has one cycle, whose name may be left out.
     alone: bool,
 }
@@ -154,7 +154,7 @@ impl<'v> Relations<'v> {
         checker: &mut Checker,
         path: &Path,
         index: usize,
-    ) -> Option<(String, formula::Relating)> {
+    ) -> Option<(String, formula::RelationTerm)> {
         let measuring = path.measuring_before(index).collect();
         let known = Known {
             formula: &path.formula,
@@ -188,7 +188,7 @@ fn read_one(
     (list, i): (&[Value], usize),
     cycles: &[String],
     known: &Known<'_>,
-) -> Option<(String, formula::Relating)> {
+) -> Option<(String, formula::RelationTerm)> {
     let given = &list[i];
     let Value::Map(entries) = given else {
         let message = text!(
@@ -226,7 +226,7 @@ fn read_one(
         .all(|operand| matches!(*operand, Operand::Result(index) if known.is_height(index)));
     Some((
         name,
-        formula::Relating {
+        formula::RelationTerm {
             relation,
             of,
             heights,
@@ -586,5 +586,5 @@ pub fn add_rows(
         }
     }
     off.iter()
-        .all(|question| question.asked != formula::Asked::Plausible)
+        .all(|question| question.asked != formula::CheckKind::Plausibility)
 }

@@ -10,7 +10,7 @@ use crate::geom::Vec3;
 use crate::job::Job;
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{self, Accessor, Feed, Feeds, Path, Purpose};
+use crate::path::{self, Accessor, Feed, Feeds, MovePurpose, Path};
 use crate::text::{Text, text};
 
 /// X, Y, Z in the work coordinate system: a point in the job's units, or a unit vector.
@@ -307,7 +307,7 @@ pub(super) fn result_rows(
             &(job.post.work_offset_word)(n),
         );
     }
-    let own = path.own.as_ref().zip(job.post.own);
+    let own = path.calls.as_ref().zip(job.post.own);
     let stored = |code: &str| {
         let (own, cycles) = own?;
         own.stored
@@ -382,9 +382,9 @@ pub(super) fn result_row(
 
 pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
     let (kind, touch) = match step.purpose {
-        Purpose::Position => ("position", None),
-        Purpose::Touch(k) | Purpose::Search(k) => ("touch", Some(k)),
-        Purpose::Back(k) => ("back", Some(k)),
+        MovePurpose::Position => ("position", None),
+        MovePurpose::Touch(k) | MovePurpose::Search(k) => ("touch", Some(k)),
+        MovePurpose::Retract(k) => ("back", Some(k)),
     };
     let feed = match step.feed {
         feed if feeds.is_rapid(feed) => "rapid",

@@ -1,6 +1,6 @@
 //! The forms of a job around the cycle.
 
-use crate::control::{self, Form, Header, POSTS, PostDef, Report, WRITE_OFFSET};
+use crate::control::{self, HeaderDetail, POSTS, PostDef, ProgramForm, ResultOutput, WRITE_OFFSET};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
 use crate::form::{Checker, Choice, Field, Section, SubForm, Value, form};
 use crate::formula::{Limits, Wear};
@@ -9,7 +9,7 @@ use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::job::sized::{self, Sized};
 use crate::job::wear;
 use crate::part::{Machine, PartPlacement, Scatter, Shape, Stock};
-use crate::path::{Feeds, Setup};
+use crate::path::{Feeds, ProbeSettings};
 use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
 
@@ -124,22 +124,22 @@ const fn post_choices() -> [Choice; POSTS.len()] {
 
 const FORMS: &[Choice] = &[
     Choice {
-        value: Form::Moves.word(),
+        value: ProgramForm::Moves.word(),
         label: "Plain moves",
     },
     Choice {
-        value: Form::Cycle.word(),
+        value: ProgramForm::Cycle.word(),
         label: "The control's own cycle",
     },
 ];
 
 const HEADERS: &[Choice] = &[
     Choice {
-        value: Header::Full.word(),
+        value: HeaderDetail::Full.word(),
         label: "The whole job",
     },
     Choice {
-        value: Header::Short.word(),
+        value: HeaderDetail::Short.word(),
         label: "Short",
     },
 ];
@@ -172,15 +172,15 @@ const DRY_RUN: &str = "dry";
 
 const REPORTS: &[Choice] = &[
     Choice {
-        value: Report::Screen.word(),
+        value: ResultOutput::Screen.word(),
         label: "On the screen",
     },
     Choice {
-        value: Report::Log.word(),
+        value: ResultOutput::Log.word(),
         label: "In a log",
     },
     Choice {
-        value: Report::None.word(),
+        value: ResultOutput::None.word(),
         label: "In variables only",
     },
 ];
@@ -356,7 +356,7 @@ pub struct Job {
     /// `mm` or `inch`.
     pub unit: &'static str,
     /// Plane, ball radius, overtravel.
-    pub setup: Setup,
+    pub setup: ProbeSettings,
     /// Standard deviation of a touch, mm.
     pub repeatability: f64,
     /// Known dimensions of the stylus above its ball.
@@ -377,21 +377,21 @@ pub struct Job {
     /// Repeated touches of each point; `None` touches once.
     pub repeat: Option<Repeat>,
     pub post: &'static PostDef,
-    pub form: Form,
+    pub form: ProgramForm,
     /// Tool number of the probe; `None` is not called.
     pub tool: Option<i32>,
     /// Whether positioning is to be watched, if the control can.
     pub protected: bool,
     /// Height of a dry run above the path, mm.
     pub dry: Option<f64>,
-    pub header: Header,
+    pub header: HeaderDetail,
     /// Work offset to write, 1 = G54; `None` only measures.
     pub work_offset: Option<i32>,
     /// Angle to which the spindle is oriented, degrees; `None` does not orient it.
     pub orient: Option<f64>,
     /// The probe input of the control, from 1.
     pub probe_input: usize,
-    pub report: Report,
+    pub report: ResultOutput,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     /// Clearance that the probe table adds to the set-up clearance of native cycles, mm.
@@ -547,7 +547,7 @@ impl Job {
             PartForm::read,
         );
         let plane = Plane::named(&general.plane);
-        let setup = Setup {
+        let setup = ProbeSettings {
             plane,
             radius: stylus.diameter / 2.0,
             overtravel: general.overtravel,
@@ -568,10 +568,10 @@ impl Job {
         let repeats = cycle
             .as_ref()
             .is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1));
-        if repeats && Form::named(&control.form) == Form::Cycle {
+        if repeats && ProgramForm::named(&control.form) == ProgramForm::Cycle {
             let takes_moves = cycle
                 .as_ref()
-                .is_some_and(|(def, ..)| (post.serves)(def.probes, Form::Moves).is_ok());
+                .is_some_and(|(def, ..)| (post.serves)(def.probes, ProgramForm::Moves).is_ok());
             let message = match takes_moves {
                 true => text!(
                     "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
@@ -628,15 +628,15 @@ impl Job {
             sized,
             repeat,
             post,
-            form: Form::named(&control.form),
+            form: ProgramForm::named(&control.form),
             tool: control.tool,
-            header: Header::named(&control.header),
+            header: HeaderDetail::named(&control.header),
             protected: control.protection == Protection::Checked.word(),
             dry: (control.run == DRY_RUN).then_some(control.lift),
             work_offset: control.work_offset,
             orient: control.orient,
             probe_input: control.probe_input as usize,
-            report: Report::named(&control.report),
+            report: ResultOutput::named(&control.report),
             number: control.number,
             set_up: control.set_up,
             wear: wear::of(value.get(TOLERANCES), units.scale()),
@@ -762,12 +762,12 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
 fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
     if let Some(def) = def
         && checker.is_clean(&["control.post", "control.form"])
-        && let Err(why) = (post.serves)(def.probes, Form::named(&control.form))
+        && let Err(why) = (post.serves)(def.probes, ProgramForm::named(&control.form))
     {
-        let other = Form::named(&control.form).other();
+        let other = ProgramForm::named(&control.form).other();
         let (title, form) = (post.title.to_owned(), control.form.clone());
         let message = match (post.serves)(def.probes, other) {
-            Ok(()) if other == Form::Moves => {
+            Ok(()) if other == ProgramForm::Moves => {
                 let other = other.word().to_owned();
                 text!(
                     "{title} does not support this cycle as \"{form}\": {why}. Use the form \"{other}\"",
@@ -786,8 +786,9 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         };
         checker.error("form-unsupported", "control.form", message);
     }
-    if control.run == DRY_RUN && Form::named(&control.form) == Form::Cycle {
-        let message = match def.map_or(Ok(()), |def| (post.serves)(def.probes, Form::Moves)) {
+    if control.run == DRY_RUN && ProgramForm::named(&control.form) == ProgramForm::Cycle {
+        let message = match def.map_or(Ok(()), |def| (post.serves)(def.probes, ProgramForm::Moves))
+        {
             Ok(()) => {
                 text!(
                     "The control's own cycle touches by itself: a dry run is a program of moves. Use the form \"moves\""
@@ -819,7 +820,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             checker.error(
                 "work-offset-unsupported",
                 "control.workOffset",
-                post.says(why),
+                post.control_text(why),
             );
         } else if n > post.work_offsets {
             let last = (post.work_offset_word)(post.work_offsets);
@@ -910,7 +911,7 @@ fn read_sizes(
     checker: &mut Checker,
     value: &Value,
     cycle: Option<&Read>,
-    (setup, sized): (&Setup, &[Sized]),
+    (setup, sized): (&ProbeSettings, &[Sized]),
 ) -> Option<Box<dyn Cycle>> {
     let (def, cycle, _) = cycle?;
     let given = match value.get("part").and_then(|part| part.get("sizes")) {

@@ -4,7 +4,7 @@
 
 use std::cell::OnceCell;
 
-use crate::control::own::Several;
+use crate::control::own::CycleLinking;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::Vec3;
@@ -19,7 +19,8 @@ use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
 use crate::part::{self, Run};
 use crate::path::{
-    Feature, Feed, Feeds, OwnBlock, Path, Purpose, Reaches, STATED_RAPID, WAY, WayBlock,
+    CallBlock, DependencyLimits, Feature, Feed, Feeds, LINK_STEP, LinkBlock, MovePurpose, Path,
+    STATED_RAPID,
 };
 use crate::text::text;
 
@@ -31,7 +32,7 @@ const SHORTEST_WAY: f64 = 1.0;
 static WHOLE: CycleDef = CycleDef {
     title: "Set-up",
     source: "Touchpath",
-    ..crate::cycle::NONE
+    ..crate::cycle::SET_UP_PLACEHOLDER
 };
 
 /// A set-up while its cycles are read, each joined to the earlier ones.
@@ -187,7 +188,7 @@ fn own_cycles(
     checker: &mut Checker,
     job: &Job,
     members: Vec<Planned>,
-    (several, clear): (Result<Several, &'static str>, Option<f64>),
+    (several, clear): (Result<CycleLinking, &'static str>, Option<f64>),
     names: &[String],
 ) -> Option<Vec<Planned>> {
     let several = match several {
@@ -195,14 +196,14 @@ fn own_cycles(
         Err(why) => {
             let message = text!(
                 "A set-up of the control's own cycles: {why}",
-                job.post.says(why)
+                job.post.control_text(why)
             );
             checker.error("set-up-unsupported", "cycles", message);
             return None;
         }
     };
     let has_own_program =
-        |planned: &Planned| planned.path.own.is_none() && planned.refused.is_empty();
+        |planned: &Planned| planned.path.calls.is_none() && planned.refused.is_empty();
     if let Some(i) = members.iter().position(has_own_program) {
         let message = text!(
             "{cycle}: this cycle has a program of its own: it cannot be one of several",
@@ -211,7 +212,7 @@ fn own_cycles(
         checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
         return None;
     }
-    if !several.comes_itself {
+    if !several.links_itself {
         return Some(members);
     }
     let all = members.iter().flat_map(|planned| ends(&planned.path));
@@ -223,10 +224,13 @@ fn own_cycles(
 }
 
 /// Checks that the control has variables for all results that the next cycle would overwrite.
-fn check_kept(checker: &mut Checker, path: &Path, several: Several) -> Option<()> {
-    let own = path.own.iter().flat_map(|own| &own.blocks);
-    let kept = own.filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
-    let (kept, room) = (kept.count(), several.kept.1 + 1 - several.kept.0);
+fn check_kept(checker: &mut Checker, path: &Path, several: CycleLinking) -> Option<()> {
+    let own = path.calls.iter().flat_map(|own| &own.blocks);
+    let kept = own.filter(|(block, _)| matches!(block, CallBlock::SaveResult(..)));
+    let (kept, room) = (
+        kept.count(),
+        several.saved_variables.1 + 1 - several.saved_variables.0,
+    );
     if kept > room {
         let message = text!(
             "The results of these cycles need {count} variables, and the control has {room} for them: use fewer cycles",
@@ -240,10 +244,10 @@ fn check_kept(checker: &mut Checker, path: &Path, several: Several) -> Option<()
 }
 
 /// Limits of followed results, from the limits of a job.
-fn reaches(job: &Job) -> Reaches {
+fn reaches(job: &Job) -> DependencyLimits {
     let [position, size, angle] =
         [job.limits.position, job.limits.size, job.limits.angle].map(|limit| limit.unwrap_or(0.0));
-    Reaches {
+    DependencyLimits {
         position,
         size,
         angle,
@@ -382,15 +386,16 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f64>) -> Planned {
     let several = several(&job)
         .and_then(Result::ok)
-        .filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
-    if let Some(Several {
-        kept: (first, _), ..
+        .filter(|_| members.iter().all(|planned| planned.path.calls.is_some()));
+    if let Some(CycleLinking {
+        saved_variables: (first, _),
+        ..
     }) = several
     {
         let (mut kept, count) = (0, members.len());
         for (i, planned) in members.iter_mut().enumerate() {
-            if let Some(own) = &mut planned.path.own {
-                kept = own.keep(i + 1 == count, (first, kept));
+            if let Some(own) = &mut planned.path.calls {
+                kept = own.save_results(i + 1 == count, (first, kept));
             }
         }
     }
@@ -398,8 +403,8 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
     let margin = 2.0 * job.limits.position.unwrap_or(0.0) + SHORTEST_WAY;
     let tool = job.setup.plane.axes()[2];
     let mut highest = f64::NEG_INFINITY;
-    for (member, planned) in path.members.iter_mut().zip(&members) {
-        if planned.path.own.is_some() {
+    for (member, planned) in path.cycles.iter_mut().zip(&members) {
+        if planned.path.calls.is_some() {
             member.path.clone_from(&planned.path);
         }
         let higher = if member
@@ -429,7 +434,7 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
     let radius = job.setup.radius;
     let way = several
         .map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
-    let way = way.as_ref().map(|way| way as WayBlock<'_>);
+    let way = way.as_ref().map(|way| way as LinkBlock<'_>);
     path.connect(clear.unwrap_or(highest), feeds, way);
     let surfaces = members
         .iter()
@@ -472,7 +477,7 @@ impl Planned {
 fn run(whole: &Planned, on: On) -> Run {
     let path = &whole.path;
     let mut all = Run::default();
-    for (member, planned) in path.members.iter().zip(&whole.members) {
+    for (member, planned) in path.cycles.iter().zip(&whole.members) {
         let own = planned.run_on(on);
         all.triggers.extend(own.triggers);
         let (touch, surface) = (member.touches.start, member.surfaces.start);
@@ -499,7 +504,7 @@ fn run(whole: &Planned, on: On) -> Run {
     if let Some((index, _)) = all.collision {
         // Later moves are not run.
         for step in &path.moves[index..] {
-            if let Purpose::Touch(k) = step.purpose {
+            if let MovePurpose::Touch(k) = step.purpose {
                 all.triggers[k] = None;
             }
         }
@@ -543,14 +548,14 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
     let ways = path
         .moves
         .iter()
-        .filter(|step| step.step == WAY)
+        .filter(|step| step.step == LINK_STEP)
         .map(|step| step.to.dot(w));
     let clear = ways.fold(f64::NEG_INFINITY, f64::max);
     check_clear(checker, clear, least);
     follows::check_ways(whole, checker);
-    if path.members.len() > 1
+    if path.cycles.len() > 1
         && members.iter().any(|planned| planned.path.feeds.is_some())
-        && job.form == crate::control::Form::Moves
+        && job.form == crate::control::ProgramForm::Moves
     {
         let message =
             text!("In a set-up cycle 1411 uses the feeds of the job, not its own probing feed");
@@ -577,7 +582,7 @@ fn check_clear(checker: &mut Checker, clear: f64, least: f64) -> bool {
 fn report_order(whole: &Planned, checker: &mut Checker) {
     let path = &whole.path;
     let w = path.frame.w;
-    let top = path.members.iter().position(|member| {
+    let top = path.cycles.iter().position(|member| {
         let touch = member.path.touches.first();
         matches!(member.path.feature, Feature::Surface(_))
             && touch.is_some_and(|touch| touch.vector.dot(w) > 0.999)
@@ -585,13 +590,13 @@ fn report_order(whole: &Planned, checker: &mut Checker) {
     let Some(top) = top.filter(|top| *top > 0) else {
         return;
     };
-    let earlier: Vec<&str> = path.members[..top]
+    let earlier: Vec<&str> = path.cycles[..top]
         .iter()
         .map(|member| member.name.as_str())
         .collect();
     let message = text!(
         "{top} measures the height of the part after {others}: on a part that lies higher or lower they touch at another depth. Probe the top first",
-        path.members[top].name.clone(),
+        path.cycles[top].name.clone(),
         earlier.join(", ")
     );
     checker.info("order-of-cycles", format!("cycles[{top}]"), message);
@@ -606,10 +611,10 @@ pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
     let Some((index, center)) = found else { return };
     let path = &whole.path;
     let place = checker.position(center);
-    let name = path.members[path.member_of_move(index).unwrap_or(0)]
+    let name = path.cycles[path.member_of_move(index).unwrap_or(0)]
         .name
         .clone();
-    let message = if path.moves[index].step == WAY {
+    let message = if path.moves[index].step == LINK_STEP {
         text!(
             "Move {move}, on the way to {cycle}, hits the feature of another cycle with the ball centre at {place}",
             index + 1,

@@ -25,7 +25,7 @@ pub fn report(planned: &Planned, checker: &mut Checker) {
     let ran = run.ran.as_deref().or(shifted.as_ref()).unwrap_or(path);
     let reached = run
         .halt
-        .map_or(path.moves.len(), |(m, _)| path.members[m].moves.start);
+        .map_or(path.moves.len(), |(m, _)| path.cycles[m].moves.start);
     let displaced = DisplacedRun {
         rigid: &job.placement.rigid,
         triggers: &run.triggers,

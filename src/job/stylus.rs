@@ -3,7 +3,7 @@
 use crate::form::Checker;
 use crate::job::Job;
 use crate::part::{self, Above, Run, Struck};
-use crate::path::{Path, Purpose, Surface};
+use crate::path::{MovePurpose, Path, Surface};
 use crate::text::{Text, text};
 
 /// Reports a contact of the stylus above its ball with the nominal part, or else with the virtual one. `nominal` and `actual` are the runs of the ball on both;
@@ -76,11 +76,11 @@ fn report_struck(
 }
 
 /// Purpose of a move, in words.
-pub fn purpose(purpose: Purpose) -> Text {
+pub fn purpose(purpose: MovePurpose) -> Text {
     match purpose {
-        Purpose::Position => text!("positioning"),
-        Purpose::Back(k) => text!("back from touch {touch}", k + 1),
-        Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
+        MovePurpose::Position => text!("positioning"),
+        MovePurpose::Retract(k) => text!("back from touch {touch}", k + 1),
+        MovePurpose::Touch(k) | MovePurpose::Search(k) => text!("touch {touch}", k + 1),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Reads `tolerances` of a job: the tolerance of each result, with the action beyond it.
 
-use crate::control::Form;
+use crate::control::ProgramForm;
 use crate::form::{Checker, Value, printable};
-use crate::formula::{self, Consequence, Formula, ResultDef, Role, Tolerance, Wear};
+use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
 use crate::job::planned::Planned;
 use crate::job::sections::TOLERANCES;
@@ -39,7 +39,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
     let mut all = of_entries(checker, entries, planned);
     add_sizes(checker, planned, &mut all);
     for given in &all {
-        let members = &planned.path.members;
+        let members = &planned.path.cycles;
         let of = members
             .iter()
             .position(|member| member.results.contains(&given.index));
@@ -101,7 +101,7 @@ fn twice(key: &str) -> Text {
 
 /// Adds the sizes with a tolerance, each to the entry of its result if there is one.
 fn add_sizes(checker: &mut Checker, planned: &Planned, all: &mut Vec<Given<'_>>) {
-    let several = &planned.path.members;
+    let several = &planned.path.cycles;
     let mut add = |cycle: &Planned, first: usize, place: &str| {
         for sized in &cycle.job.sized {
             let (code, path) = (sized.field.key, format!("{place}.{}", sized.field.key));
@@ -172,7 +172,7 @@ fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
 /// Adds a tolerance to a result of the joined path, and to that of its cycle.
 fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
     planned.path.formula.results[index].tolerance = Some(tolerance);
-    for (member, own) in planned.path.members.iter_mut().zip(&mut planned.members) {
+    for (member, own) in planned.path.cycles.iter_mut().zip(&mut planned.members) {
         if member.results.contains(&index) {
             own.path.formula.results[index - member.results.start].tolerance = Some(tolerance);
         }
@@ -296,10 +296,15 @@ fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str,
 }
 
 /// Action of the program, if it can carry it out.
-fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> Option<Consequence> {
+fn consequence(
+    checker: &mut Checker,
+    job: &Job,
+    given: &Value,
+    path: &str,
+) -> Option<ToleranceAction> {
     let action = match given.get("action") {
-        None => Consequence::Go,
-        Some(Value::Text(word)) => match Consequence::ALL
+        None => ToleranceAction::Go,
+        Some(Value::Text(word)) => match ToleranceAction::ALL
             .into_iter()
             .find(|(known, _)| known == word)
         {
@@ -327,18 +332,18 @@ fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> O
         }
     };
     let why = match job.form {
-        Form::Cycle => Some(words!(
+        ProgramForm::Cycle => Some(words!(
             "the control's own cycles do not compare their results with it"
         )),
-        Form::Moves if !job.post.computes => Some(words!(
+        ProgramForm::Moves if !job.post.computes => Some(words!(
             "{control} computes no results: the operator must judge them"
         )),
-        Form::Moves => None,
+        ProgramForm::Moves => None,
     };
-    if let Some(why) = why.filter(|_| action != Consequence::Go) {
+    if let Some(why) = why.filter(|_| action != ToleranceAction::Go) {
         let message = text!(
             "The program cannot act on a tolerance: {why}",
-            job.post.says(why)
+            job.post.control_text(why)
         );
         checker.error("tolerance-unsupported", path, message);
         return None;
@@ -401,24 +406,25 @@ fn read_wear(
         .into_iter()
         .for_each(|finding| checker.adopt(finding));
     let (found, at) = (found?, format!("{at}.wear"));
-    let why =
-        if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
-            Some(text!(
-                "only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"
-            ))
-        } else if related {
-            Some(text!(
-                "the macros correct a tool only by what they measure themselves"
-            ))
-        } else if def.role != Role::Size || path.feature.two_circles().is_some() {
-            Some(text!("the macros correct a tool by a width or a diameter"))
-        } else if own.work_offset.is_some() {
-            Some(text!(
-                "its macro writes the work offset: no source shows that it does both in one call"
-            ))
-        } else {
-            None
-        };
+    let why = if own.form != ProgramForm::Cycle
+        || !own.post.own.is_some_and(|cycles| cycles.corrects_tools)
+    {
+        Some(text!(
+            "only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"
+        ))
+    } else if related {
+        Some(text!(
+            "the macros correct a tool only by what they measure themselves"
+        ))
+    } else if def.role != Role::Size || path.feature.two_circles().is_some() {
+        Some(text!("the macros correct a tool by a width or a diameter"))
+    } else if own.work_offset.is_some() {
+        Some(text!(
+            "its macro writes the work offset: no source shows that it does both in one call"
+        ))
+    } else {
+        None
+    };
     if let Some(why) = why {
         checker.error(
             "wear-unsupported",
@@ -454,9 +460,13 @@ fn check_limit(
     path: &str,
 ) {
     let def = &formula.results[index];
-    let plausible = formula.questions(&job.limits).into_iter().find(|question| {
-        question.asked == formula::Asked::Plausible && Some(question.variable) == def.variable
-    });
+    let plausible = formula
+        .result_checks(&job.limits)
+        .into_iter()
+        .find(|question| {
+            question.asked == formula::CheckKind::Plausibility
+                && Some(question.variable) == def.variable
+        });
     let Some(plausible) = plausible else { return };
     let [low, high] = tolerance.limits;
     let least = plausible.wanted - plausible.limit - 1e-9;

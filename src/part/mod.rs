@@ -15,7 +15,9 @@ pub use stock::{DisplacedRun, Hit, Opening, Sides, Stock, hit, openings};
 pub use stylus::{Above, Shape, Struck, struck};
 
 use crate::geom::{Rigid, Vec3};
-use crate::path::{Member, Path, Purpose, Round, Setup, Surface, WAY, Wall};
+use crate::path::{
+    CycleSegment, LINK_STEP, MovePurpose, Path, ProbeSettings, Round, Surface, Wall,
+};
 
 /// A contact this far past the end of a search still counts, mm: both are rounded.
 const ROUNDING: f64 = 2e-7;
@@ -79,7 +81,7 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
         path.moves.iter().position(|step| {
             let from = at.replace(step.to).unwrap_or(step.to);
             let mut stand = from;
-            step.purpose == Purpose::Position
+            step.purpose == MovePurpose::Position
                 && step
                     .pieces(from, path.frame.w, 1.0)
                     .into_iter()
@@ -126,7 +128,9 @@ fn first_meeting(
     let mut at = path.start;
     path.moves.iter().enumerate().find_map(|(index, step)| {
         let from = at.replace(step.to).unwrap_or(step.to);
-        let own = path.member_of_move(index).filter(|_| step.step != WAY);
+        let own = path
+            .member_of_move(index)
+            .filter(|_| step.step != LINK_STEP);
         let mut stand = from;
         let center = step
             .pieces(from, path.frame.w, 1.0)
@@ -140,14 +144,14 @@ fn first_meeting(
 pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     // A ball that touches the same wall at the same point is at a distance of its radius, apart from rounding.
     let within = (radius - 1e-3).max(radius / 2.0);
-    let touched = |member: &Member| {
+    let touched = |member: &CycleSegment| {
         path.touches[member.touches.clone()]
             .iter()
             .map(|touch| touch.point)
     };
     // Bounding box of ball centres near the touches of a cycle: most moves are far from most cycles.
     let boxes: Vec<(Vec3, Vec3)> = path
-        .members
+        .cycles
         .iter()
         .map(|member| {
             let low = touched(member).fold(Vec3::INFINITY, Vec3::min) - Vec3::splat(within);
@@ -166,7 +170,7 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
         let (least, most) = (from.min(to), from.max(to));
         let near = |(low, high): (Vec3, Vec3)| least.cmple(high).all() && most.cmpge(low).all();
         let others = path
-            .members
+            .cycles
             .iter()
             .zip(&boxes)
             .enumerate()
@@ -182,7 +186,7 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
 /// a hole or behind a single wall is unknown.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
     let standing: Vec<Vec<Surface>> = path
-        .members
+        .cycles
         .iter()
         .map(|member| standing(&surfaces[member.surfaces.clone()], path))
         .collect();
@@ -234,7 +238,7 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
 
 /// Runs the whole path on the actual surfaces. A touch starts at the current position and moves along the inverted target vector until it contacts a surface,
 /// or until it is `search` past its nominal contact. The retract starts at the trigger.
-pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
+pub fn run(path: &Path, surfaces: &[Surface], setup: &ProbeSettings) -> Run {
     let up = path.frame.w;
     let obstacles = Obstacles::of(surfaces, up);
     let mut triggers = vec![None; path.touches.len()];
@@ -244,7 +248,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
         // Without a start in the job, only the first position itself is checked.
         let from = at.unwrap_or(step.to);
         match step.purpose {
-            Purpose::Touch(k) | Purpose::Search(k) => {
+            MovePurpose::Touch(k) | MovePurpose::Search(k) => {
                 let along = path.touches[k].vector;
                 let end = step.to - along * path.touches[k].search;
                 // A contact at the very end of the search counts.
@@ -258,7 +262,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
                 triggers[k] = contact.map(|c| c.center);
                 at = Some(contact.map_or(end, |c| c.center));
             }
-            Purpose::Position | Purpose::Back(_) => {
+            MovePurpose::Position | MovePurpose::Retract(_) => {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
                     if let Some(contact) = obstacles.first_contact(setup.radius, stand, way_point) {

@@ -3,7 +3,7 @@
 use crate::geom::{Rigid, Vec3};
 use crate::part::contact::Body;
 use crate::part::stylus::{Above, Shape, meet_flat};
-use crate::path::{Feature, Path, Purpose, Surface};
+use crate::path::{Feature, MovePurpose, Path, Surface};
 
 /// Depth by which the ball may be in the stock, mm: positions in inch have steps of 0.0001 in.
 const TOLERANCE: f64 = 0.005;
@@ -94,10 +94,10 @@ pub struct DisplacedRun<'a> {
 /// walls of a hole, pocket or groove is its floor. `surfaces` are those of the path, or the same ones in the sizes of the actual part.
 pub fn openings(path: &Path, surfaces: &[Surface], radius: f64) -> Vec<Opening> {
     let members = path
-        .members
+        .cycles
         .iter()
         .map(|member| (&member.path, &surfaces[member.surfaces.clone()]));
-    let single = path.members.is_empty().then_some((path, surfaces));
+    let single = path.cycles.is_empty().then_some((path, surfaces));
     let mut all: Vec<Opening> = members
         .chain(single)
         .flat_map(|(path, surfaces)| openings_of(path, surfaces, radius))
@@ -178,11 +178,11 @@ pub fn hit(
     for (index, step) in path.moves.iter().enumerate().take(moves) {
         let mut from = at.unwrap_or(step.to);
         let ends = match step.purpose {
-            Purpose::Touch(k) | Purpose::Search(k) => match displaced {
+            MovePurpose::Touch(k) | MovePurpose::Search(k) => match displaced {
                 Some(run) => vec![run.triggers[k]?],
                 None => vec![step.to],
             },
-            Purpose::Position | Purpose::Back(_) => step.pieces(from, up, 1.0),
+            MovePurpose::Position | MovePurpose::Retract(_) => step.pieces(from, up, 1.0),
         };
         at = ends.last().copied();
         for to in ends {

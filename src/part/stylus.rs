@@ -7,7 +7,7 @@
 use crate::geom::Vec3;
 use crate::part::Run;
 use crate::part::contact::{Body, SKIN};
-use crate::path::{Path, Purpose, Round, Surface};
+use crate::path::{MovePurpose, Path, Round, Surface};
 
 /// Stylus above its ball: diameters and length in mm, `None` if unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,13 +113,13 @@ pub fn struck(
         }
         let mut from = at.unwrap_or(step.to);
         let ends = match step.purpose {
-            Purpose::Touch(k) | Purpose::Search(k) => {
+            MovePurpose::Touch(k) | MovePurpose::Search(k) => {
                 vec![
                     run.triggers[k]
                         .unwrap_or(step.to - path.touches[k].vector * path.touches[k].search),
                 ]
             }
-            Purpose::Position | Purpose::Back(_) => step.pieces(from, up, 1.0),
+            MovePurpose::Position | MovePurpose::Retract(_) => step.pieces(from, up, 1.0),
         };
         for to in ends {
             let met = discs

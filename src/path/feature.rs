@@ -5,7 +5,7 @@ use crate::path::ParameterValue;
 
 /// Kind of feature that a cycle probes, known before its form is filled in. Each control has a row for it in its support matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
+pub enum FeatureKind {
     /// Switches the probe; touches nothing.
     Switch,
     /// Emits a line for the control; touches nothing.
@@ -61,14 +61,14 @@ pub enum Feature {
     /// Two holes or studs.
     TwoCircles(Box<TwoCircles>),
     /// A wall, touched twice.
-    Wall(Straight),
+    Wall(WallFeature),
     /// The features of a set-up, in [`crate::path::Path::members`].
     Several,
 }
 
 /// A dimension and the path of the job field that gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
+pub struct FieldValue {
     /// Such as `cycle.width1`.
     pub field: &'static str,
     /// In mm; an angle in degrees.
@@ -86,9 +86,9 @@ pub struct Point {
 
 /// A wall, touched twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Straight {
+pub struct WallFeature {
     /// From touch to touch.
-    pub distance: Entry,
+    pub distance: FieldValue,
     /// Field with the distance from the wall to the ball centre where a touch begins.
     pub clearance: &'static str,
 }
@@ -96,13 +96,13 @@ pub struct Straight {
 /// A circle about the tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bore {
-    pub diameter: Entry,
+    pub diameter: FieldValue,
     /// From the top side down to the touches.
-    pub depth: Entry,
+    pub depth: FieldValue,
     /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
-    pub clearance: Option<Entry>,
+    pub clearance: Option<FieldValue>,
     /// Height above the top side at which the ball crosses the feature; `None` if it does not cross.
-    pub crossing: Option<Entry>,
+    pub crossing: Option<FieldValue>,
 }
 
 /// Opposite walls. One pair is perpendicular to the first direction of the frame; a second pair is perpendicular to the first.
@@ -112,18 +112,18 @@ pub struct Pairs {
     pub internal: bool,
     pub sides: Vec<Side>,
     /// From the top side down to the touches.
-    pub depth: Entry,
+    pub depth: FieldValue,
     /// Height above the top side at which the ball crosses; `None` if it does not cross, or if another field gives the height.
-    pub crossing: Option<Entry>,
+    pub crossing: Option<FieldValue>,
 }
 
 /// Two opposite walls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side {
     /// From wall to wall.
-    pub width: Entry,
+    pub width: FieldValue,
     /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
-    pub clearance: Option<Entry>,
+    pub clearance: Option<FieldValue>,
 }
 
 /// A corner of two or three walls.
@@ -132,16 +132,16 @@ pub struct Corner {
     /// Whether it is touched from outside.
     pub outside: bool,
     /// Between the first two walls.
-    pub angle: Entry,
+    pub angle: FieldValue,
     /// The walls, without a top side.
-    pub walls: Vec<Touched>,
+    pub walls: Vec<WallTouch>,
     /// The top side, if it is touched.
     pub top: Option<Top>,
 }
 
 /// A wall of a corner, by the job fields of its touches. The path has the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touched {
+pub struct WallTouch {
     /// From the wall to the ball centre where a touch begins.
     pub clearance: &'static str,
     /// From touch to touch, if there are two.

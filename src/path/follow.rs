@@ -1,13 +1,13 @@
 //! Dependencies between the cycles of a set-up: the results that place a cycle, and the resulting shift of each of its moves.
 
-use crate::formula::{Formula, Turn, Variable};
+use crate::formula::{CycleRotation, Formula, Variable};
 use crate::geom::Vec3;
 use crate::num::tidy;
 use crate::path::Path;
 
 /// Results that a cycle follows: those of earlier cycles and relations, each by its index in the joined path.
 #[derive(Clone, Debug, Default)]
-pub struct Follows {
+pub struct Dependencies {
     /// Results that the position follows, along X, Y and Z.
     pub place: [Option<usize>; 3],
     /// Direction that the rotation follows.
@@ -15,21 +15,21 @@ pub struct Follows {
     /// Centre of that rotation in the work coordinate system of the nominal part, mm.
     pub about: Vec3,
     /// Sizes that the cycle follows, each with the sensitivity of its moves.
-    pub sizes: Vec<(usize, Along)>,
+    pub sizes: Vec<(usize, SizeSensitivity)>,
 }
 
 /// Derivative of the path's positions by one size, mm per mm.
 #[derive(Clone, Debug, Default)]
-pub struct Along {
+pub struct SizeSensitivity {
     /// Derivative of the start.
     pub start: Vec3,
     pub moves: Vec<Vec3>,
 }
 
-impl Along {
+impl SizeSensitivity {
     /// Compares the paths for the smallest, the nominal and the largest size, each `by` mm apart. `None` if the paths differ otherwise, or if the moves are not
     /// linear in the size.
-    pub fn of(less: &Path, path: &Path, more: &Path, by: f64) -> Option<Along> {
+    pub fn of(less: &Path, path: &Path, more: &Path, by: f64) -> Option<SizeSensitivity> {
         /// Largest deviation from linearity that counts as rounding, mm.
         const EVEN: f64 = 1e-7;
         let same = |other: &Path| {
@@ -63,7 +63,7 @@ impl Along {
             (Some(less), Some(own), Some(more)) => rate(less, own, more)?,
             _ => Vec3::ZERO,
         };
-        Some(Along {
+        Some(SizeSensitivity {
             start,
             moves: moves.collect::<Option<_>>()?,
         })
@@ -72,7 +72,7 @@ impl Along {
 
 /// A variable that shifts a position along an axis, with its factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Term {
+pub struct ShiftTerm {
     pub by: Variable,
     /// Factor of the variable: mm if the variable has no unit, else a plain number.
     pub factor: f64,
@@ -83,10 +83,10 @@ pub struct Term {
 }
 
 /// Terms that shift a position along X, Y and Z.
-pub type Shifts = [Vec<Term>; 3];
+pub type Shifts = [Vec<ShiftTerm>; 3];
 
 /// A position without any shift.
-pub const STILL: &Shifts = &[const { Vec::new() }; 3];
+pub const NO_SHIFT: &Shifts = &[const { Vec::new() }; 3];
 
 /// Largest shift of a position along X, Y and Z, mm.
 pub fn most(shifts: &Shifts) -> Vec3 {
@@ -101,7 +101,7 @@ pub fn most(shifts: &Shifts) -> Vec3 {
 
 /// Largest change of the distance between the two ends of a move, mm, for these shifts of the ends.
 pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
-    let factor = |of: &[Term], by: Variable| {
+    let factor = |of: &[ShiftTerm], by: Variable| {
         of.iter()
             .find(|term| term.by == by)
             .map_or(0.0, |term| term.factor)
@@ -120,7 +120,7 @@ pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
 
 /// A result that a cycle follows, with the variable that holds its deviation from nominal, mm or degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Follow {
+pub struct Dependency {
     /// Index of the result in the joined path.
     pub result: usize,
     pub off: Variable,
@@ -130,7 +130,7 @@ pub struct Follow {
 
 /// Limits of followed results: a program stops beyond them. Lengths in mm, angles in degrees.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Reaches {
+pub struct DependencyLimits {
     pub position: f64,
     pub size: f64,
     pub angle: f64,
@@ -140,12 +140,12 @@ pub struct Reaches {
 
 /// Position, rotation and growth that earlier results give a cycle.
 #[derive(Clone, Debug, Default)]
-pub struct Placing {
+pub struct CycleTransform {
     /// All results that the cycle follows.
-    pub follows: Vec<Follow>,
-    shift: [Option<Term>; 3],
-    turn: Option<(Turn<Variable>, Reaches)>,
-    sizes: Vec<(Term, Along)>,
+    pub follows: Vec<Dependency>,
+    shift: [Option<ShiftTerm>; 3],
+    turn: Option<(CycleRotation<Variable>, DependencyLimits)>,
+    sizes: Vec<(ShiftTerm, SizeSensitivity)>,
 }
 
 /// Names of the variables that shift an axis.
@@ -154,15 +154,15 @@ const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 /// Names of the variables for sizes. No cycle has more sizes that are lengths.
 const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
 
-impl Placing {
+impl CycleTransform {
     /// Adds the deviations of the followed results to the joined formula, unless an earlier cycle has added them.
     pub fn of(
-        follows: Follows,
+        follows: Dependencies,
         formula: &mut Formula,
-        (axes, reaches): ([usize; 3], Reaches),
-        before: &[&Placing],
+        (axes, reaches): ([usize; 3], DependencyLimits),
+        before: &[&CycleTransform],
     ) -> Self {
-        let mut own = Placing::default();
+        let mut own = CycleTransform::default();
         let known = |result: usize| {
             let mut all = before.iter().flat_map(|other| &other.follows);
             all.find(|follow| follow.result == result)
@@ -179,12 +179,12 @@ impl Placing {
             let Some(off) = known(result).or_else(|| formula.shift(result, name)) else {
                 continue;
             };
-            own.follows.push(Follow {
+            own.follows.push(Dependency {
                 result,
                 off,
                 axis: Some(axis),
             });
-            own.shift[axis] = Some(Term {
+            own.shift[axis] = Some(ShiftTerm {
                 by: off,
                 factor: 1.0,
                 length: false,
@@ -199,7 +199,7 @@ impl Placing {
                 Some(turn) => [turn.angle, turn.sine, turn.cosine],
                 None => formula.turns_next(direction, formula.results[result].nominal),
             };
-            own.follows.push(Follow {
+            own.follows.push(Dependency {
                 result,
                 off: angle,
                 axis: None,
@@ -208,7 +208,7 @@ impl Placing {
             let shift = [a, o].map(|axis| own.shift[axis].map(|term| term.by));
             let about = [a, o].map(|axis| follows.about[axis]);
             own.turn = Some((
-                Turn {
+                CycleRotation {
                     axes: [a, o],
                     about,
                     angle,
@@ -223,13 +223,13 @@ impl Placing {
             let Some(off) = known(result).or_else(|| formula.shift(result, name)) else {
                 continue;
             };
-            own.follows.push(Follow {
+            own.follows.push(Dependency {
                 result,
                 off,
                 axis: None,
             });
             own.sizes.push((
-                Term {
+                ShiftTerm {
                     by: off,
                     factor: 1.0,
                     length: false,
@@ -242,7 +242,7 @@ impl Placing {
     }
 
     /// Variables that shift the moves of the cycle.
-    pub fn moved_by(&self) -> impl Iterator<Item = Variable> {
+    pub fn shift_variables(&self) -> impl Iterator<Item = Variable> {
         let turn = self
             .turn()
             .into_iter()
@@ -256,26 +256,26 @@ impl Placing {
     }
 
     /// Rotation of the cycle, if it follows a direction.
-    pub fn turn(&self) -> Option<&Turn<Variable>> {
+    pub fn turn(&self) -> Option<&CycleRotation<Variable>> {
         self.turn.as_ref().map(|(turn, _)| turn)
     }
 
     /// Shift of a position of the cycle. `along` picks the derivative of that position by a size.
-    pub fn shifts(&self, place: Vec3, along: impl Fn(&Along) -> Vec3) -> Shifts {
+    pub fn shifts(&self, place: Vec3, along: impl Fn(&SizeSensitivity) -> Vec3) -> Shifts {
         let mut shifts = self
             .shift
-            .map(|term| term.into_iter().collect::<Vec<Term>>());
+            .map(|term| term.into_iter().collect::<Vec<ShiftTerm>>());
         for (term, own) in &self.sizes {
             let rate = along(own);
             for axis in (0..3).filter(|axis| rate[*axis] != 0.0) {
-                shifts[axis].push(Term {
+                shifts[axis].push(ShiftTerm {
                     factor: rate[axis],
                     ..*term
                 });
             }
         }
         let Some((
-            Turn {
+            CycleRotation {
                 axes: [a, o],
                 about,
                 sine,
@@ -306,7 +306,7 @@ impl Placing {
             (*o, *sine, arm[0]),
         ];
         for (axis, by, factor) in terms.into_iter().filter(|(_, _, factor)| *factor != 0.0) {
-            shifts[axis].push(Term {
+            shifts[axis].push(ShiftTerm {
                 by,
                 factor,
                 length: true,

@@ -3,23 +3,25 @@
 //! Lengths are in mm, angles in radians unless a name contains degrees. Points are ball centres in the work coordinate system unless their comment says "on the
 //! surface". A path is independent of cycles, controls and units.
 
+mod calls;
 mod feature;
 mod follow;
-mod own;
 mod parameter;
 mod repeat;
 mod set_up;
 mod surface;
 mod tracer;
 
+pub use calls::{CallBlock, CallSequence, Guard, Off, ProbeTable, Quantity, Stored};
 pub use feature::{
-    Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top,
-    Touched, TwoCircles,
+    Bore, Corner, Feature, FeatureKind, FieldValue, Pairs, Point, Setting, Side, Spread, Top,
+    TwoCircles, WallFeature, WallTouch,
 };
-pub use follow::{Along, Follow, Follows, Reaches, Shifts, Term, far_apart, most};
-pub use own::{Guard, Off, Own, OwnBlock, Quantity, Reach, Stored};
+pub use follow::{
+    Dependencies, Dependency, DependencyLimits, ShiftTerm, Shifts, SizeSensitivity, far_apart, most,
+};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Measuring, Member, Related, WAY, WayBlock};
+pub use set_up::{CycleSegment, DatumSource, LINK_STEP, LinkBlock, RelationSegment, ResultSource};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 
@@ -53,7 +55,7 @@ pub const ONE_LEVEL: f64 = 0.01;
 
 /// Settings of the job that a cycle needs for its plan.
 #[derive(Clone, Copy, Debug)]
-pub struct Setup {
+pub struct ProbeSettings {
     pub plane: Plane,
     /// Radius of the stylus ball, mm; 0 is a point.
     pub radius: f64,
@@ -117,7 +119,7 @@ impl Feeds {
 
 /// Purpose of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
+pub enum MovePurpose {
     /// Positioning; the stylus must not make contact.
     Position,
     /// The touch with this index. Ends at the nominal contact of the ball centre.
@@ -125,7 +127,7 @@ pub enum Purpose {
     /// The first, fast touch of a native cycle that touches twice, for the touch with this index. It ends at the nominal contact. The second touch is measured.
     Search(usize),
     /// The retract from the touch with this index.
-    Back(usize),
+    Retract(usize),
 }
 
 /// An arc about the tool axis.
@@ -158,7 +160,7 @@ impl Arc {
 pub struct Move {
     pub to: Vec3,
     pub feed: Feed,
-    pub purpose: Purpose,
+    pub purpose: MovePurpose,
     /// Number of the step in the cycle's documented list, from 1.
     pub step: u8,
     /// The arc of the move; `None` is straight. Only positioning moves are arcs.
@@ -223,13 +225,13 @@ pub struct Path {
     /// Whether the touches were picked one by one and do not follow from the dimensions.
     pub picked: bool,
     /// Field with the height of the last lift; `None` if the cycle ends otherwise.
-    pub lift: Option<&'static str>,
+    pub lift_field: Option<&'static str>,
     /// Native calls that make this path, if the job asks for native cycles.
-    pub own: Option<Box<Own>>,
+    pub calls: Option<Box<CallSequence>>,
     /// The cycles of a set-up; empty in a path of one cycle.
-    pub members: Vec<Member>,
+    pub cycles: Vec<CycleSegment>,
     /// Relations that a set-up computes from the results of its cycles.
-    pub relations: Vec<Related>,
+    pub relations: Vec<RelationSegment>,
     /// Sources of the work offset that a set-up writes.
     pub datum_source: DatumSource,
     /// Shift of the end of each move; empty if no cycle follows a result.
@@ -238,7 +240,7 @@ pub struct Path {
 
 /// Fault of a touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TouchFault {
+pub enum TouchError {
     /// The touch is missing in the path, or is there more than once.
     Missing,
     /// Its distance to the nominal contact is too short, mm.
@@ -249,7 +251,7 @@ pub enum TouchFault {
 
 /// Position of a touch among the touches of one sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Repeat {
+pub struct RepeatIndex {
     /// Index of the sample.
     pub index: usize,
     /// Number of touches of the sample.
@@ -266,23 +268,23 @@ impl Path {
         let up = self.frame.w * lift;
         let moves = self.moves.iter().map(|step| Move {
             to: step.to + up,
-            purpose: Purpose::Position,
+            purpose: MovePurpose::Position,
             arc: step.arc.map(|arc| Arc {
                 center: arc.center + up,
                 ..arc
             }),
             ..*step
         });
-        let mut members = self.members.clone();
+        let mut members = self.cycles.clone();
         members
             .iter_mut()
-            .for_each(|member| member.placing = follow::Placing::default());
+            .for_each(|member| member.placing = follow::CycleTransform::default());
         Path {
             touches: Vec::new(),
             moves: moves.collect(),
             formula: Formula::default(),
-            members,
-            own: None,
+            cycles: members,
+            calls: None,
             relations: Vec::new(),
             shifts: Vec::new(),
             ..self.clone()
@@ -296,13 +298,13 @@ impl Path {
             .iter()
             .zip(begins)
             .filter_map(|(step, from)| match step.purpose {
-                Purpose::Touch(k) => Some((k, from, step)),
-                Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
+                MovePurpose::Touch(k) => Some((k, from, step)),
+                MovePurpose::Position | MovePurpose::Search(_) | MovePurpose::Retract(_) => None,
             })
     }
 
     /// Faults of the touches. Each touch must be in the path once, begin at a distance from its contact, and run along its inverted target vector.
-    pub fn touch_faults(&self, radius: f64) -> Vec<(usize, TouchFault)> {
+    pub fn touch_faults(&self, radius: f64) -> Vec<(usize, TouchError)> {
         let mut ways: Vec<Option<Vec3>> = vec![None; self.touches.len()];
         let mut faults = Vec::new();
         for (k, from, _) in self.searches() {
@@ -310,49 +312,49 @@ impl Path {
                 (Some(way @ None), Some(from)) => {
                     *way = Some(self.touches[k].contact(radius) - from)
                 }
-                _ => faults.push((k, TouchFault::Missing)),
+                _ => faults.push((k, TouchError::Missing)),
             }
         }
         for (k, way) in ways.into_iter().enumerate() {
             let Some(way) = way else {
-                faults.push((k, TouchFault::Missing));
+                faults.push((k, TouchError::Missing));
                 continue;
             };
             let along = -way.dot(self.touches[k].vector);
             if along < SHORTEST_TOUCH - 1e-6 {
-                faults.push((k, TouchFault::Short(along)));
+                faults.push((k, TouchError::Short(along)));
                 continue;
             }
             let aside = (way + self.touches[k].vector * along).length();
             let askew = aside.atan2(along).to_degrees();
             if askew > MOST_ASKEW && aside > ONE_LEVEL {
-                faults.push((k, TouchFault::Askew(askew)));
+                faults.push((k, TouchError::Askew(askew)));
             }
         }
         faults
     }
 
     /// Shortest distance from the start of a touch to its nominal contact, mm.
-    pub fn shortest_way(&self) -> f64 {
+    pub fn shortest_approach(&self) -> f64 {
         let pairs = self
             .moves
             .windows(2)
-            .filter(|pair| matches!(pair[1].purpose, Purpose::Touch(_)));
+            .filter(|pair| matches!(pair[1].purpose, MovePurpose::Touch(_)));
         pairs
             .map(|pair| pair[0].to.distance(pair[1].to))
             .fold(f64::INFINITY, f64::min)
     }
 
     /// Position of each touch in its sample.
-    pub fn samples(&self) -> Vec<Repeat> {
+    pub fn samples(&self) -> Vec<RepeatIndex> {
         let mut counts: Vec<usize> = Vec::new();
-        let mut samples: Vec<Repeat> = Vec::with_capacity(self.touches.len());
+        let mut samples: Vec<RepeatIndex> = Vec::with_capacity(self.touches.len());
         for touch in &self.touches {
             let index = touch.sample;
             if counts.len() <= index {
                 counts.resize(index + 1, 0);
             }
-            samples.push(Repeat {
+            samples.push(RepeatIndex {
                 index,
                 count: 0,
                 first: counts[index] == 0,

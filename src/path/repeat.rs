@@ -1,7 +1,7 @@
 //! Repeated touches of one point.
 
 use crate::geom::Vec3;
-use crate::path::{Move, Path, Purpose, Touch};
+use crate::path::{Move, MovePurpose, Path, Touch};
 
 impl Path {
     /// The path with every touch made `times` times, each after the retract from the previous one. The formula computes with the means. The touches of one
@@ -22,25 +22,25 @@ impl Path {
         let moves = std::mem::take(&mut self.moves);
         for (index, step) in moves.iter().enumerate() {
             match step.purpose {
-                Purpose::Position => self.moves.push(*step),
+                MovePurpose::Position => self.moves.push(*step),
                 // The touch with its retract.
-                Purpose::Touch(k) => {
+                MovePurpose::Touch(k) => {
                     let back = moves
                         .get(index + 1)
-                        .filter(|next| next.purpose == Purpose::Back(k));
+                        .filter(|next| next.purpose == MovePurpose::Retract(k));
                     for n in 0..times {
                         self.moves.push(Move {
-                            purpose: Purpose::Touch(nth(k, n)),
+                            purpose: MovePurpose::Touch(nth(k, n)),
                             ..*step
                         });
                         self.moves.extend(back.map(|back| Move {
-                            purpose: Purpose::Back(nth(k, n)),
+                            purpose: MovePurpose::Retract(nth(k, n)),
                             ..*back
                         }));
                     }
                 }
                 // Retracts are copied with their touches. Searches belong to native cycles, which repeat nothing.
-                Purpose::Back(_) | Purpose::Search(_) => {}
+                MovePurpose::Retract(_) | MovePurpose::Search(_) => {}
             }
         }
         self

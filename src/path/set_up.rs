@@ -3,21 +3,23 @@
 use std::ops::Range;
 
 use crate::formula::{
-    self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef, Role,
+    self, Coordinate, Formula, Limits, OffsetCorrection, Operand, ResultCheck, ResultDef, Role,
 };
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::follow::{Along, Placing, Reaches, STILL, Shifts, most};
+use crate::path::follow::{
+    CycleTransform, DependencyLimits, NO_SHIFT, Shifts, SizeSensitivity, most,
+};
 use crate::path::{
-    Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch,
+    CallBlock, Dependencies, Feature, Feed, Feeds, Move, MovePurpose, Path, Stored, Surface, Touch,
     ZERO_LENGTH,
 };
 
 /// Step number of a link move between two cycles, which belongs to no cycle's list.
-pub const WAY: u8 = 0;
+pub const LINK_STEP: u8 = 0;
 
 /// A cycle of a set-up, as a part of the joined path.
 #[derive(Clone, Debug)]
-pub struct Member {
+pub struct CycleSegment {
     /// Name: letters and digits.
     pub name: String,
     /// Title for the header of a program: `ENCY/SprutCAM type 4: Hole`.
@@ -33,37 +35,37 @@ pub struct Member {
     /// Its results in the joined path.
     pub results: Range<usize>,
     /// Shift, rotation and growth by results of earlier cycles.
-    pub placing: Placing,
+    pub placing: CycleTransform,
     /// Correction of the work offset that the cycle measures.
-    datum: Option<Datum>,
+    datum: Option<OffsetCorrection>,
     /// Shift of its variable indices in the joined formula.
-    later: u32,
+    variable_offset: u32,
 }
 
 /// A relation between results of cycles, as a part of the joined path.
 #[derive(Clone, Debug)]
-pub struct Related {
+pub struct RelationSegment {
     /// Index in the job's list of relations.
     pub index: usize,
     /// Name: letters and digits.
     pub name: String,
-    pub own: formula::Relating,
+    pub own: formula::RelationTerm,
     /// Its results in the joined path.
     pub results: Range<usize>,
     /// Members whose touches the relation depends on, in order.
     pub sources: Vec<usize>,
     /// Correction of the work offset that the relation gives.
-    datum: Option<Datum>,
+    datum: Option<OffsetCorrection>,
 }
 
 /// A cycle or relation, as a source of results.
 #[derive(Clone, Debug)]
-pub struct Measuring<'p> {
+pub struct ResultSource<'p> {
     pub name: &'p str,
     /// Its results in the joined path.
     pub results: Range<usize>,
     /// Correction of the work offset that it gives.
-    pub datum: Option<Datum>,
+    pub datum: Option<OffsetCorrection>,
 }
 
 /// Sources of the work offset that a set-up writes: a cycle or relation for abscissa, ordinate and tool axis, and a result for the rotation.
@@ -76,7 +78,7 @@ pub struct DatumSource {
 }
 
 /// Makes the block of a link move to a position, along these axes.
-pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
+pub type LinkBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> CallBlock;
 
 impl Path {
     /// The path of a set-up without cycles.
@@ -92,9 +94,9 @@ impl Path {
             formula: Formula::default(),
             feature: Feature::Several,
             picked: false,
-            lift: None,
-            own: None,
-            members: Vec::new(),
+            lift_field: None,
+            calls: None,
+            cycles: Vec::new(),
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
@@ -107,11 +109,12 @@ impl Path {
         &mut self,
         (name, title): (String, String),
         path: Path,
-        follows: Follows,
-        (axes, reaches): ([usize; 3], Reaches),
+        follows: Dependencies,
+        (axes, reaches): ([usize; 3], DependencyLimits),
     ) {
-        let before: Vec<&Placing> = self.members.iter().map(|member| &member.placing).collect();
-        let placing = Placing::of(follows, &mut self.formula, (axes, reaches), &before);
+        let before: Vec<&CycleTransform> =
+            self.cycles.iter().map(|member| &member.placing).collect();
+        let placing = CycleTransform::of(follows, &mut self.formula, (axes, reaches), &before);
         let (touches, surfaces, results) = (
             self.touches.len(),
             self.surfaces.len(),
@@ -119,7 +122,7 @@ impl Path {
         );
         // Samples are numbered on from those of the previous cycle.
         let before = self
-            .members
+            .cycles
             .last()
             .map_or(0..0, |member| member.touches.clone());
         let samples = self.touches[before].iter().map(|touch| touch.sample + 1);
@@ -136,7 +139,7 @@ impl Path {
         let touches = touches..self.touches.len();
         let surfaces = surfaces..self.surfaces.len();
         let results = results..self.formula.results.len();
-        self.members.push(Member {
+        self.cycles.push(CycleSegment {
             name,
             title,
             path,
@@ -146,19 +149,19 @@ impl Path {
             results,
             placing,
             datum,
-            later,
+            variable_offset: later,
         });
     }
 
     /// Adds the moves of all cycles. Between two cycles the probe goes up to `clear` along the tool axis, across, and down. `feeds` apply to all cycles. `way`
     /// makes the block of a link move, if all cycles are native.
-    pub fn connect(&mut self, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) {
-        let mut members = std::mem::take(&mut self.members);
+    pub fn connect(&mut self, clear: f64, feeds: Feeds, way: Option<LinkBlock<'_>>) {
+        let mut members = std::mem::take(&mut self.cycles);
         let first = &members.first().expect("a set-up has a cycle").path;
         (self.start, self.frame, self.feeds) = (first.start, first.frame, Some(feeds));
         let tops: Option<Vec<f64>> = members.iter().map(|member| member.path.top).collect();
         self.top = tops.and_then(|tops| tops.into_iter().reduce(f64::max));
-        for Member {
+        for CycleSegment {
             path,
             moves,
             touches,
@@ -171,7 +174,7 @@ impl Path {
                 .start
                 .or(path.moves.first().map(|step| step.to))
                 .unwrap_or_default();
-            let first = |along: &Along| {
+            let first = |along: &SizeSensitivity| {
                 if path.start.is_some() {
                     along.start
                 } else {
@@ -188,17 +191,17 @@ impl Path {
             self.shifts
                 .extend(path.moves.iter().enumerate().map(|(i, step)| {
                     let end = match step.purpose {
-                        Purpose::Touch(k) | Purpose::Search(k) => {
+                        MovePurpose::Touch(k) | MovePurpose::Search(k) => {
                             step.to - path.touches[k].vector * path.touches[k].search
                         }
-                        Purpose::Position | Purpose::Back(_) => step.to,
+                        MovePurpose::Position | MovePurpose::Retract(_) => step.to,
                     };
                     placing.shifts(end, |along| along.moves[i])
                 }));
         }
-        self.members = members;
+        self.cycles = members;
         if self
-            .members
+            .cycles
             .iter()
             .all(|member| member.placing.follows.is_empty())
         {
@@ -207,8 +210,8 @@ impl Path {
     }
 
     /// Checks of followed results before a cycle. Each result is checked once in the program.
-    pub fn asked_before(&self, member: usize, limits: &Limits) -> Vec<Question> {
-        let followed = |member: &Member| {
+    pub fn asked_before(&self, member: usize, limits: &Limits) -> Vec<ResultCheck> {
+        let followed = |member: &CycleSegment| {
             member
                 .placing
                 .follows
@@ -216,8 +219,8 @@ impl Path {
                 .map(|follow| follow.result)
                 .collect::<Vec<_>>()
         };
-        let known: Vec<usize> = self.members[..member].iter().flat_map(followed).collect();
-        let mut results: Vec<usize> = followed(&self.members[member]);
+        let known: Vec<usize> = self.cycles[..member].iter().flat_map(followed).collect();
+        let mut results: Vec<usize> = followed(&self.cycles[member]);
         results.retain(|result| !known.contains(result));
         results.dedup();
         results
@@ -228,19 +231,23 @@ impl Path {
 
     /// Assignments that can be computed after the touches of a member: its own, and the shifts of the next member.
     pub fn computed_by(&self, member: usize) -> Range<usize> {
-        let begin = |m: usize| self.members.get(m).map(|member| member.later as usize);
+        let begin = |m: usize| {
+            self.cycles
+                .get(m)
+                .map(|member| member.variable_offset as usize)
+        };
         begin(member).unwrap_or(0)..begin(member + 1).unwrap_or(self.formula.assignments.len())
     }
 
     /// Shift of the end of a move.
     pub fn shifts(&self, index: usize) -> &Shifts {
-        self.shifts.get(index).unwrap_or(STILL)
+        self.shifts.get(index).unwrap_or(NO_SHIFT)
     }
 
     /// Shift of a position that belongs to a move, such as the contact of a touch.
     pub fn shifts_at(&self, index: usize, place: Vec3) -> Shifts {
         let own = self
-            .members
+            .cycles
             .iter()
             .find(|member| member.moves.contains(&index));
         own.map_or_else(
@@ -253,7 +260,7 @@ impl Path {
     }
 
     /// Adds a relation between results. `index` is its index in the job's list.
-    pub fn relate(&mut self, index: usize, name: String, own: formula::Relating) {
+    pub fn relate(&mut self, index: usize, name: String, own: formula::RelationTerm) {
         let begin = self.formula.results.len();
         let datum = self.formula.relate(&name, &own);
         let results = begin..self.formula.results.len();
@@ -267,7 +274,7 @@ impl Path {
         let at = self.relations.partition_point(|other| other.index < index);
         self.relations.insert(
             at,
-            Related {
+            RelationSegment {
                 index,
                 name,
                 own,
@@ -281,7 +288,7 @@ impl Path {
     /// Results of a relation for these values of its operands, mm or degrees, in order.
     pub fn related(
         &self,
-        relation: &Related,
+        relation: &RelationSegment,
         known: impl Fn(usize) -> Option<f64>,
     ) -> Vec<Option<f64>> {
         let results = &self.formula.results;
@@ -350,7 +357,7 @@ impl Path {
             .iter()
             .find(|relation| relation.results.contains(&result));
         let own = || {
-            self.members
+            self.cycles
                 .iter()
                 .position(|member| member.results.contains(&result))
         };
@@ -362,7 +369,7 @@ impl Path {
 
     /// Whether a result is known after a member is measured; `None` if it does not depend on that member's touches.
     pub fn is_known_by(&self, result: usize, member: usize) -> Option<bool> {
-        if self.members[member].results.contains(&result) {
+        if self.cycles[member].results.contains(&result) {
             return Some(true);
         }
         let sources = &self
@@ -382,15 +389,15 @@ impl Path {
     }
 
     /// The cycles of a set-up, followed by its relations.
-    pub fn measuring(&self) -> impl Iterator<Item = Measuring<'_>> {
-        let members = self.members.iter();
-        let cycles = members.map(|own| Measuring {
+    pub fn measuring(&self) -> impl Iterator<Item = ResultSource<'_>> {
+        let members = self.cycles.iter();
+        let cycles = members.map(|own| ResultSource {
             name: &own.name,
             results: own.results.clone(),
             datum: own.datum,
         });
         let relations = self.relations.iter();
-        cycles.chain(relations.map(|own| Measuring {
+        cycles.chain(relations.map(|own| ResultSource {
             name: &own.name,
             results: own.results.clone(),
             datum: own.datum,
@@ -398,9 +405,9 @@ impl Path {
     }
 
     /// The cycles and relations before this relation of the job's list.
-    pub fn measuring_before(&self, relation: usize) -> impl Iterator<Item = Measuring<'_>> {
+    pub fn measuring_before(&self, relation: usize) -> impl Iterator<Item = ResultSource<'_>> {
         let before = self.relations.partition_point(|own| own.index < relation);
-        self.measuring().take(self.members.len() + before)
+        self.measuring().take(self.cycles.len() + before)
     }
 
     /// Index of the cycle or relation that gives a result.
@@ -430,7 +437,7 @@ impl Path {
                 }
             })
         };
-        let before = self.shifts.last().unwrap_or(STILL).clone();
+        let before = self.shifts.last().unwrap_or(NO_SHIFT).clone();
         let follows_height = level(&shifts) != shifts;
         let apart =
             |over: &Vec3| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH;
@@ -445,12 +452,13 @@ impl Path {
             .filter_map(|(to, shifts)| Some((to?, shifts)))
         {
             let from = self.moves.last().map_or(to, |step| step.to);
-            if from.distance(to) > ZERO_LENGTH || *self.shifts.last().unwrap_or(STILL) != shifts {
+            if from.distance(to) > ZERO_LENGTH || *self.shifts.last().unwrap_or(NO_SHIFT) != shifts
+            {
                 self.moves.push(Move {
                     to,
                     feed: Feed::Approach,
-                    purpose: Purpose::Position,
-                    step: WAY,
+                    purpose: MovePurpose::Position,
+                    step: LINK_STEP,
                     arc: None,
                 });
                 self.shifts.push(shifts);
@@ -464,10 +472,10 @@ impl Path {
     }
 
     /// Adds the calls of the next cycle after those of the link moves. Its moves begin at this index and replace its own first move.
-    fn take_calls(&mut self, path: &Path, before: usize, way: WayBlock<'_>) {
-        let Some(own) = &path.own else { return };
-        let Some(whole) = &mut self.own else {
-            self.own = Some(own.clone());
+    fn take_calls(&mut self, path: &Path, before: usize, way: LinkBlock<'_>) {
+        let Some(own) = &path.calls else { return };
+        let Some(whole) = &mut self.calls else {
+            self.calls = Some(own.clone());
             return;
         };
         let mut from = self.moves[before - 1].to;
@@ -484,10 +492,10 @@ impl Path {
     fn take_moves(&mut self, path: &Path, touches: usize) {
         self.moves.extend(path.moves.iter().map(|step| {
             let purpose = match step.purpose {
-                Purpose::Position => Purpose::Position,
-                Purpose::Touch(k) => Purpose::Touch(k + touches),
-                Purpose::Search(k) => Purpose::Search(k + touches),
-                Purpose::Back(k) => Purpose::Back(k + touches),
+                MovePurpose::Position => MovePurpose::Position,
+                MovePurpose::Touch(k) => MovePurpose::Touch(k + touches),
+                MovePurpose::Search(k) => MovePurpose::Search(k + touches),
+                MovePurpose::Retract(k) => MovePurpose::Retract(k + touches),
             };
             Move { purpose, ..*step }
         }));
@@ -519,8 +527,8 @@ impl Path {
             }));
     }
 
-    fn datum_of(&mut self, source: &DatumSource) -> Option<Datum> {
-        let all: Vec<Option<Datum>> = self.measuring().map(|own| own.datum).collect();
+    fn datum_of(&mut self, source: &DatumSource) -> Option<OffsetCorrection> {
+        let all: Vec<Option<OffsetCorrection>> = self.measuring().map(|own| own.datum).collect();
         let datum = |axis: usize| all.get(source.place[axis]?).copied().flatten();
         let mut place = [0, 1, 2].map(|axis| datum(axis)?.place[axis]);
         // Abscissa and ordinate are written together: an unmeasured one counts as nominal.
@@ -538,9 +546,9 @@ impl Path {
             Some((result.variable?, result.nominal))
         });
         let rotation = rotation.map(|(variable, nominal)| self.formula.turn(variable, nominal));
-        (place.iter().any(Option::is_some) || rotation.is_some()).then(|| Datum {
+        (place.iter().any(Option::is_some) || rotation.is_some()).then(|| OffsetCorrection {
             rotation,
-            ..Datum::of(place)
+            ..OffsetCorrection::of(place)
         })
     }
 
@@ -548,15 +556,15 @@ impl Path {
     pub fn begins_member(&self, index: usize) -> Option<usize> {
         let begin = |m: usize| {
             m.checked_sub(1)
-                .map_or(0, |before| self.members[before].moves.end)
+                .map_or(0, |before| self.cycles[before].moves.end)
         };
-        (0..self.members.len()).find(|m| begin(*m) == index)
+        (0..self.cycles.len()).find(|m| begin(*m) == index)
     }
 
     /// The cycle of a move, or the cycle that a link move leads to. `None` in the path of a single cycle.
     pub fn member_of_move(&self, index: usize) -> Option<usize> {
-        (!self.members.is_empty()).then(|| {
-            self.members
+        (!self.cycles.is_empty()).then(|| {
+            self.cycles
                 .partition_point(|member| member.moves.end <= index)
         })
     }
@@ -569,11 +577,11 @@ impl Path {
                     .clone()
                     .find(|index| self.formula.results[*index].code == code)
             };
-            let own = path.own.iter().flat_map(|own| &own.stored);
+            let own = path.calls.iter().flat_map(|own| &own.stored);
             own.filter_map(|(code, stored)| Some((index(code)?, *stored)))
                 .collect()
         };
-        match self.members.as_slice() {
+        match self.cycles.as_slice() {
             [] => of(self, 0..self.formula.results.len()),
             members => members
                 .iter()
@@ -593,8 +601,8 @@ impl Path {
 
     /// The cycle of a touch. `None` in the path of a single cycle.
     pub fn member_of_touch(&self, k: usize) -> Option<usize> {
-        (!self.members.is_empty()).then(|| {
-            self.members
+        (!self.cycles.is_empty()).then(|| {
+            self.cycles
                 .partition_point(|member| member.touches.end <= k)
         })
     }

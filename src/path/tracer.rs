@@ -1,7 +1,7 @@
 //! Builds the moves of a path one after the other.
 
 use crate::geom::Vec3;
-use crate::path::{Arc, Feed, Move, Purpose, Setup, Touch, ZERO_LENGTH};
+use crate::path::{Arc, Feed, Move, MovePurpose, ProbeSettings, Touch, ZERO_LENGTH};
 
 /// Builds a path move by move and leaves out moves without length.
 #[derive(Debug)]
@@ -13,7 +13,7 @@ pub struct Tracer {
 
 impl Tracer {
     /// Starts at an unknown position: the first move is always kept.
-    pub fn new(setup: &Setup) -> Self {
+    pub fn new(setup: &ProbeSettings) -> Self {
         Tracer {
             at: None,
             radius: setup.radius,
@@ -22,7 +22,7 @@ impl Tracer {
     }
 
     /// Starts at a known ball centre.
-    pub fn starting_at(setup: &Setup, start: Vec3) -> Self {
+    pub fn starting_at(setup: &ProbeSettings, start: Vec3) -> Self {
         Tracer {
             at: Some(start),
             ..Tracer::new(setup)
@@ -33,7 +33,7 @@ impl Tracer {
         self.push(Move {
             to,
             feed,
-            purpose: Purpose::Position,
+            purpose: MovePurpose::Position,
             step,
             arc: None,
         });
@@ -44,7 +44,7 @@ impl Tracer {
         self.push(Move {
             to,
             feed,
-            purpose: Purpose::Position,
+            purpose: MovePurpose::Position,
             step,
             arc: Some(arc),
         });
@@ -67,14 +67,14 @@ impl Tracer {
         self.push(Move {
             to,
             feed: Feed::Work,
-            purpose: Purpose::Touch(index),
+            purpose: MovePurpose::Touch(index),
             step: steps[0],
             arc: None,
         });
         self.push(Move {
             to: from,
             feed: back,
-            purpose: Purpose::Back(index),
+            purpose: MovePurpose::Retract(index),
             step: steps[1],
             arc: None,
         });
@@ -86,7 +86,7 @@ impl Tracer {
 
     /// Touches and retracts are kept even without length: the check of the whole path reports them.
     fn push(&mut self, next: Move) {
-        if next.purpose != Purpose::Position
+        if next.purpose != MovePurpose::Position
             || self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH)
         {
             self.at = Some(next.to);

@@ -2,7 +2,8 @@
 
 use crate::geom::Vec3;
 use crate::path::{
-    Bore, Corner, Entry, Feature, Feed, Pairs, Path, Point, Purpose, Straight, Surface, Top,
+    Bore, Corner, Feature, Feed, FieldValue, MovePurpose, Pairs, Path, Point, Surface, Top,
+    WallFeature,
 };
 
 /// A dimension of the nominal part, in the work coordinate system.
@@ -100,7 +101,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
 
 /// Height of the last lift, straight up from the start of the path; there is no such move if the distance is 0.
 fn lift(path: &Path) -> Option<Dimension> {
-    let (field, [.., before, last]) = (path.lift?, path.moves.as_slice()) else {
+    let (field, [.., before, last]) = (path.lift_field?, path.moves.as_slice()) else {
         return None;
     };
     let lifts =
@@ -119,7 +120,7 @@ fn begin_of(path: &Path, touch: usize) -> Option<Vec3> {
     let i = path
         .moves
         .iter()
-        .position(|step| step.purpose == Purpose::Touch(touch))?;
+        .position(|step| step.purpose == MovePurpose::Touch(touch))?;
     Some(path.moves[i.checked_sub(1)?].to)
 }
 
@@ -142,7 +143,7 @@ fn surface(path: &Path, point: &Point) -> Vec<Dimension> {
 }
 
 /// Dimensions of a wall: from touch to touch, and distance of the start of a touch.
-fn straight(path: &Path, wall: &Straight) -> Vec<Dimension> {
+fn straight(path: &Path, wall: &WallFeature) -> Vec<Dimension> {
     let [first, second] = path.touches.as_slice() else {
         return Vec::new();
     };
@@ -175,7 +176,7 @@ fn middle(path: &Path) -> Vec3 {
 }
 
 /// Dimension across the middle, offset by `aside`.
-fn across(path: &Path, width: Entry, along: Vec3, aside: Vec3, far: f64) -> Dimension {
+fn across(path: &Path, width: FieldValue, along: Vec3, aside: Vec3, far: f64) -> Dimension {
     let (center, half, edge) = (middle(path), along * (width.value / 2.0), aside * far);
     Dimension {
         field: width.field,
@@ -187,7 +188,7 @@ fn across(path: &Path, width: Entry, along: Vec3, aside: Vec3, far: f64) -> Dime
 }
 
 /// Dimension from the top side down to the touches, at distance `far` from the middle.
-fn deep(path: &Path, depth: Entry, far: f64) -> Dimension {
+fn deep(path: &Path, depth: FieldValue, far: f64) -> Dimension {
     let (u, w) = (path.frame.u, path.frame.w);
     let out = u * far;
     let from = middle(path) + out;
@@ -255,7 +256,7 @@ fn opposite(path: &Path, pairs: &Pairs) -> Vec<Dimension> {
 }
 
 /// Dimension from a wall to the start of its touch.
-fn before(path: &Path, clearance: Entry, touch: usize) -> Option<Dimension> {
+fn before(path: &Path, clearance: FieldValue, touch: usize) -> Option<Dimension> {
     let touch = path.touches.get(touch)?;
     let to = touch.point + touch.vector * clearance.value;
     let aside = path.frame.w.cross(touch.vector);
@@ -269,7 +270,7 @@ fn before(path: &Path, clearance: Entry, touch: usize) -> Option<Dimension> {
 }
 
 /// Dimension from the top side, above the first touch, up to the crossing height.
-fn above(path: &Path, crossing: Entry) -> Option<Dimension> {
+fn above(path: &Path, crossing: FieldValue) -> Option<Dimension> {
     let (touch, height, w) = (path.touches.first()?, path.top?, path.frame.w);
     let from = touch.point + w * (height - touch.point.dot(w));
     Some(Dimension {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::common::{job, owed, with};
 use crate::tests::safety::{BROKEN, DANGEROUS};
 use touchpath::control::iso::writer::Dialect;
-use touchpath::control::{Form, ORIENT, POSTS, PostDef, WRITE_OFFSET};
+use touchpath::control::{ORIENT, POSTS, PostDef, ProgramForm, WRITE_OFFSET};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Field, Kind, Level, Value};
 use touchpath::job::{self, SECTIONS, check, default_job, plan};
@@ -28,7 +28,7 @@ fn which(can: impl Fn(&PostDef) -> bool) -> Keys {
 fn takes_moves(post: &PostDef) -> bool {
     CYCLES
         .iter()
-        .any(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+        .any(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
 }
 
 /// How a control of cycles of its own names this word of a call; empty where it has none.
@@ -126,7 +126,7 @@ fn every_control_states_what_is_its_own() {
         );
         let served = CYCLES
             .iter()
-            .flat_map(|def| Form::ALL.map(|form| (post.serves)(def.probes, form)));
+            .flat_map(|def| ProgramForm::ALL.map(|form| (post.serves)(def.probes, form)));
         assert!(
             served.clone().any(|answer| answer.is_ok()),
             "{} takes no cycle",
@@ -312,7 +312,7 @@ fn refused_jobs() -> Vec<Value> {
     let mut jobs = Vec::new();
     for post in POSTS {
         for def in CYCLES {
-            for form in Form::ALL {
+            for form in ProgramForm::ALL {
                 for changes in variants {
                     let mut job = with(
                         &default_job(def.key).unwrap(),
@@ -342,7 +342,7 @@ fn no_message_recommends_what_the_control_refuses() {
     let mut asked = 0;
     for job in refused_jobs() {
         for finding in check(&job).into_iter().filter(|f| f.level == Level::Error) {
-            for form in Form::ALL {
+            for form in ProgramForm::ALL {
                 if !finding
                     .message
                     .contains(&format!("Use the form \"{}\"", form.word()))
@@ -396,7 +396,7 @@ fn no_field_is_ignored_without_a_word() {
         })
         .collect();
     for post in POSTS {
-        for form in Form::ALL {
+        for form in ProgramForm::ALL {
             let cycles = CYCLES
                 .iter()
                 .filter(|def| (post.serves)(def.probes, form).is_ok());

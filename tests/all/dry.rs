@@ -7,7 +7,7 @@ use crate::common::{import, interpret, interpret_until_stop, job, law, number, p
 use crate::tests::controls::{of_moves, skipping};
 use crate::tests::laws::whole_job;
 use proptest::prelude::*;
-use touchpath::control::{Form, POSTS};
+use touchpath::control::{POSTS, ProgramForm};
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::form::Value;
 use touchpath::job::{Plan, check, default_job, plan};
@@ -39,7 +39,7 @@ fn writing(cycle: &str, post: &str) -> Value {
     } else {
         job
     };
-    with(&job, "control.form", text(Form::Moves.word()))
+    with(&job, "control.form", text(ProgramForm::Moves.word()))
 }
 
 fn lines_of_moves(plan: &Plan) -> Vec<String> {
@@ -233,7 +233,7 @@ fn a_set_up_runs_dry_at_its_nominal_places() {
 fn a_cycle_of_the_controls_own_has_no_dry_run() {
     for post in POSTS
         .iter()
-        .filter(|post| (post.serves)(hole().probes, Form::Cycle).is_ok())
+        .filter(|post| (post.serves)(hole().probes, ProgramForm::Cycle).is_ok())
     {
         let given = with(
             &with(

@@ -554,7 +554,7 @@ fn a_way_back_that_meets_the_part_is_a_collision() {
     let back = path
         .moves
         .iter()
-        .position(|step| matches!(step.purpose, touchpath::path::Purpose::Back(0)))
+        .position(|step| matches!(step.purpose, touchpath::path::MovePurpose::Retract(0)))
         .unwrap();
     // The walls are 40 mm from the middle: a ball of 6 mm meets the far one with its centre at −37.
     path.moves[back].to.x = -60.0;

@@ -269,7 +269,7 @@ fn codes_of(rows: &[ParameterRow], field: &str) -> String {
 fn manual(def: &CycleDef) -> String {
     let mut page = format!(
         "# {}\n\n{} {}. In a job: `\"type\": \"{}\"`.\n\n",
-        def.title, def.says, def.source, def.key
+        def.title, def.summary, def.source, def.key
     );
     if def.steps.is_empty() {
         page.push_str("Rows of the parameter table; nothing moves.\n");
@@ -376,7 +376,7 @@ fn manual(def: &CycleDef) -> String {
         .unwrap();
     }
     page.push_str("\n## Our reading\n\nThe source does not say these; they are ours.\n\n");
-    for reading in def.readings {
+    for reading in def.interpretations {
         writeln!(page, "- {reading}").unwrap();
     }
     page.push_str("\n<!-- Generated from the crate: `UPDATE=1 cargo test --lib generated`. -->\n");

@@ -14,7 +14,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use similar::{ChangeTag, TextDiff};
-use touchpath::control::{Form, POSTS, PostDef};
+use touchpath::control::{POSTS, PostDef, ProgramForm};
 use touchpath::form::{Finding, Value};
 
 /// Controls whose programs are nearly those of another one, and this one: by key and form.
@@ -107,7 +107,7 @@ fn path_of(job: &Value) -> String {
 }
 
 /// The job for another control, in this form; its work offset where it has one.
-fn put_out_for(job: &Value, post: &PostDef, form: Form) -> Value {
+fn put_out_for(job: &Value, post: &PostDef, form: ProgramForm) -> Value {
     let mut job = crate::common::with(job, "control.post", Value::Text(post.key.to_owned()));
     job = crate::common::with(&job, "control.form", Value::Text(form.word().to_owned()));
     if post.work_offsets == 0 {
@@ -117,16 +117,16 @@ fn put_out_for(job: &Value, post: &PostDef, form: Form) -> Value {
 }
 
 /// The form of a control that takes this cycle: moves where it has them.
-fn served(job: &Value, post: &PostDef) -> Form {
+fn served(job: &Value, post: &PostDef) -> ProgramForm {
     let cycle = job.get("cycle").and_then(|c| c.get("type"));
     let def = touchpath::cycle::CYCLES
         .iter()
         .find(|c| cycle == Some(&Value::Text(c.key.to_owned())))
         .unwrap();
-    Form::ALL
+    ProgramForm::ALL
         .into_iter()
         .find(|form| (post.serves)(def.probes, *form).is_ok())
-        .unwrap_or(Form::Moves)
+        .unwrap_or(ProgramForm::Moves)
 }
 
 /// A program of moves, with what its proof and the rules that do not hold say.
@@ -145,7 +145,7 @@ fn of_moves(job: &Value, post: &PostDef) -> Made {
 
 /// A program of native cycles, with the moves that they make and what is said of it.
 fn of_cycles(job: &Value, post: &PostDef) -> Made {
-    let plan = touchpath::job::plan(&put_out_for(job, post, Form::Cycle))
+    let plan = touchpath::job::plan(&put_out_for(job, post, ProgramForm::Cycle))
         .map_err(|error| listed(&error.findings))?;
     let moves = plan
         .moves

@@ -1,7 +1,7 @@
 //! Inertia: what stops too late, and what is not at its feed yet. Numbers by hand: v²/2a + v·t.
 
 use crate::common::{job, number, planned, values, with};
-use touchpath::control::{Form, POSTS};
+use touchpath::control::{POSTS, ProgramForm};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Finding, Level, Value};
 use touchpath::job::{check, convert_units, default_job};
@@ -37,7 +37,7 @@ fn the_defaults_stop_in_time() {
     let mut asked = 0;
     for def in CYCLES {
         for post in POSTS {
-            for form in [Form::Moves, Form::Cycle] {
+            for form in [ProgramForm::Moves, ProgramForm::Cycle] {
                 if (post.serves)(def.probes, form).is_err() {
                     continue;
                 }

@@ -118,10 +118,10 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
             }
             let heidenhain = Value::Text("heidenhain".to_owned());
             let klartext = job.get("control").and_then(|c| c.get("post")) == Some(&heidenhain);
-            if klartext && def.home.0 != "heidenhain" {
+            if klartext && def.default_control.0 != "heidenhain" {
                 job = with(&job, "control.post", Value::Text("linuxcnc".to_owned()));
             }
-            let form = if klartext && def.home.0 == "heidenhain" { "cycle" } else { "moves" };
+            let form = if klartext && def.default_control.0 == "heidenhain" { "cycle" } else { "moves" };
             job = with(&job, "control.form", Value::Text(form.to_owned()));
             // A dry run has a law of its own.
             job = with(&job, "control.run", Value::Text("normal".to_owned()));

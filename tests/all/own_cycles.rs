@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::common::{number, owed, point as list, values, with};
 use crate::tests::controls::calling_macros;
-use touchpath::control::{Form, find};
+use touchpath::control::{ProgramForm, find};
 use touchpath::form::Value;
 use touchpath::job::{Plan, plan};
 
@@ -947,7 +947,7 @@ fn a_program_of_calls_comes_back_as_its_job() {
     for cycle in touchpath::cycle::CYCLES {
         for post in calling_macros() {
             // All but the NC action and the angle of a wall, and a Hurco's switch.
-            if (find(post).unwrap().serves)(cycle.probes, Form::Cycle).is_err() {
+            if (find(post).unwrap().serves)(cycle.probes, ProgramForm::Cycle).is_err() {
                 continue;
             }
             let planned = plan(&own(cycle.key, post, &[])).unwrap();

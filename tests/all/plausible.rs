@@ -5,7 +5,7 @@ use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{ending_at, interpret_until_stop, job, number, on_virtual_part, planned, with};
 use crate::tests::controls::skipping;
-use touchpath::control::{Form, POSTS};
+use touchpath::control::{POSTS, ProgramForm};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Plan, check, default_job, evaluate, examine};
@@ -263,7 +263,7 @@ fn no_restart_in_the_middle_writes() {
     for post in POSTS.iter().filter(|post| post.work_offsets > 0) {
         for def in CYCLES
             .iter()
-            .filter(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+            .filter(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
         {
             let job = with(
                 &default_job(def.key).unwrap(),

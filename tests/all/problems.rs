@@ -4,7 +4,7 @@ use crate::common::{job, number, point, values, with};
 use crate::tests::controls::unpointed;
 use touchpath::form::{Finding, Level, Value};
 use touchpath::job::{Units, check, default_job, new_job, plan};
-use touchpath::path::Subject;
+use touchpath::path::FeatureKind;
 
 fn pocket() -> Value {
     default_job("internal-rectangle-protected").unwrap()
@@ -32,7 +32,7 @@ fn default_jobs_are_without_any_finding() {
     for cycle in touchpath::cycle::CYCLES {
         let job = default_job(cycle.key).unwrap();
         // What is rows of the table alone says so.
-        let still = matches!(cycle.probes, Subject::Switch | Subject::Action);
+        let still = matches!(cycle.probes, FeatureKind::Switch | FeatureKind::Action);
         assert_eq!(
             found(&job, Level::Warning),
             vec!["nothing-switched cycle"; usize::from(still)],

@@ -4,7 +4,7 @@ use crate::common::{Draws, job, planned, point, values, with};
 use touchpath::form::{Finding, Level, Value};
 use touchpath::geom::Vec3;
 use touchpath::job::{check, convert_units, default_job, proposed_stock};
-use touchpath::path::Purpose;
+use touchpath::path::MovePurpose;
 use touchpath::view::material::Material;
 use touchpath::view::scene::Projection;
 
@@ -332,7 +332,7 @@ fn the_check_agrees_with_points_of_the_ball_on_its_way() {
             path.moves.iter().any(|step| {
                 let from = at.replace(step.to).unwrap_or(step.to);
                 // A touch ends at the wall: a larger ball would be in it.
-                if radius > 3.0 && !matches!(step.purpose, Purpose::Position) {
+                if radius > 3.0 && !matches!(step.purpose, MovePurpose::Position) {
                     return false;
                 }
                 let count = (from.distance(step.to) / 0.1).ceil().max(1.0) as usize;
@@ -412,11 +412,11 @@ fn the_check_on_a_displaced_part_agrees_with_points_of_the_ball() {
             planned.path.moves.iter().any(|step| {
                 let from = at.unwrap_or(step.to);
                 let to = match step.purpose {
-                    Purpose::Touch(k) => planned.run.triggers[k].unwrap(),
+                    MovePurpose::Touch(k) => planned.run.triggers[k].unwrap(),
                     _ => step.to,
                 };
                 at = Some(to);
-                if radius > 3.0 && !matches!(step.purpose, Purpose::Position) {
+                if radius > 3.0 && !matches!(step.purpose, MovePurpose::Position) {
                     return false;
                 }
                 let count = (from.distance(to) / 0.1).ceil().max(1.0) as usize;

@@ -331,7 +331,7 @@ fn points_on_the_cylinders_agree() {
         'moves: for (index, step) in path.moves.iter().enumerate() {
             let from = at.unwrap_or(step.to);
             let to = match step.purpose {
-                touchpath::path::Purpose::Touch(t) => run.triggers[t].unwrap(),
+                touchpath::path::MovePurpose::Touch(t) => run.triggers[t].unwrap(),
                 _ => step.to,
             };
             for i in 0..=10 {

@@ -348,30 +348,30 @@ export type Judged =
 /** The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then. */
 export type Verdict = Judged | `${Judged}: ${string}`;
 
-/** How much a finding weighs. */
+/** Weight of a finding. */
 export type Level = "error" | "warning" | "info";
 
-/** A problem, or something worth knowing. */
+/** An error, warning or note. */
 export interface Finding {
-  /** Whether it keeps the job from being planned. */
+  /** Weight; an error prevents the plan. */
   level: Level;
   /** A stable, kebab-case name for programs to switch on, one of those in docs/findings.md. */
   code: FindingCode;
-  /** The place in the job: `cycle.sideClearance1`, `feeds.work`; empty for the job as a whole. */
+  /** Position in the job: `cycle.sideClearance1`, `feeds.work`; empty for the whole job. */
   path: string;
-  /** Plain words for a person, with numbers in the job's units. */
+  /** Message in plain words, with numbers in the units of the job. */
   message: string;
-  /** The message as a template and its values: with a list of words it can be said in another language. */
+  /** The message as a template and its values: with a list of words it can be translated. */
   said: Said;
 }
 
-/** Where the ball is to touch the nominal part. */
+/** A touch of the nominal part. */
 export interface TouchPoint {
-  /** The point that is touched, on the surface. */
+  /** Touched point, on the surface. */
   point: Vec3;
-  /** Target vector: outward normal of the surface, of length one. */
+  /** Target vector: unit outward normal of the surface. */
   vector: Vec3;
-  /** Which wall or circle it is on, from 0. */
+  /** Index of the touched surface, from 0. */
   group: number;
   /** Index of its cycle in a set-up; 0 for a job of one cycle. */
   cycle: number;
@@ -379,27 +379,27 @@ export interface TouchPoint {
 
 /** An arc about the tool axis. */
 export interface Arc {
-  /** Its centre, at the height of the move. */
+  /** Centre, at the height of the move. */
   center: Vec3;
-  /** Degrees, counter-clockwise positive seen against the tool axis; less than a whole turn. */
+  /** Sweep in degrees, counter-clockwise positive seen against the tool axis; less than a whole turn. */
   sweep: number;
 }
 
 /** One move of the ball centre. */
 export interface Move {
-  /** Where it ends; a touch at its nominal contact. */
+  /** End of the move; of a touch its nominal contact. */
   to: Vec3;
   /** `approach`, `longLink`, `work`, `retract`, `return` or `rapid`. */
   feed: "approach" | "longLink" | "work" | "retract" | "return" | "rapid";
   /** `position`, `touch` or `back`. */
   kind: "position" | "touch" | "back";
-  /** Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on. */
+  /** Step in the cycle's documented list, from 1; 0 for a link move between two cycles. With native cycles: the line that makes it, counted from that of the first move. */
   step: number;
-  /** Index of the touch that it makes or comes back from; null for positioning. */
+  /** Index of its touch, for touches and retracts; null for positioning. */
   touch: number | null;
-  /** The arc it runs along; null is a straight line. */
+  /** The arc of the move; null is a straight line. */
   arc: Arc | null;
-  /** Index of its cycle in a set-up, or of the one that it leads to; 0 for a job of one cycle. */
+  /** Index of its cycle in a set-up, or of the cycle that a link move leads to; 0 for a job with one cycle. */
   cycle: number;
 }
 
@@ -410,215 +410,215 @@ export type ParameterValue = number | boolean | string;
 export interface ParameterRow {
   /** `CmdPrm.Flt[-53]`, or `Q1116` for a HEIDENHAIN cycle. */
   code: string;
-  /** The type column of the source. */
+  /** Entry in the type column of the source. */
   type: string;
-  /** The value, lengths in the job's units. */
+  /** Value; lengths in the job's units. */
   value: ParameterValue;
-  /** What it means, in English; `meanings(job)` has it for other languages. */
+  /** Meaning in English; `meanings(job)` has it for other languages. */
   meaning: string;
-  /** Path of the job's field it comes from. */
+  /** Path of the job field that gives the value. */
   field: string | null;
-  /** Index of the touch it comes from; null if it concerns the whole cycle. */
+  /** Index of the touch that gives the value; null if it concerns the whole cycle. */
   touch: number | null;
-  /** Index of its cycle in a set-up; 0 for a job of one cycle. */
+  /** Index of its cycle in a set-up; 0 for a job with one cycle. */
   cycle: number;
 }
 
-/** A value that the cycle measures: what the control computes, and what it should be. */
+/** A measured value: computed by the control, with its nominal value. */
 export interface ResultRow {
   /** A stable name, one of `RESULT_CODES`: `center.x`. */
   code: ResultCode;
-  /** What the value is, in English. */
+  /** Description of the value in English. */
   meaning: string;
   /** `mm`, `inch` or `deg`; empty for a number without a unit. */
   unit: "mm" | "inch" | "deg" | "";
-  /** Its value on the nominal part; null where that is not known. */
+  /** Value on the nominal part; null if it is unknown. */
   nominal: number | null;
-  /** What the control computes; null where the triggers cannot give it. */
+  /** Value that the control computes; null if the triggers cannot give it. */
   value: number | null;
-  /** Value less nominal, or less the middle of the tolerance zone. */
+  /** Value minus nominal, or minus the middle of the tolerance. */
   deviation: number | null;
-  /** One sigma of the value: scatter of the touches, and eccentricity of the ball. */
+  /** Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball. */
   uncertainty: number | null;
-  /** How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the angle of calibration. */
+  /** Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of calibration. */
   uncertaintyRunout: number | null;
-  /** Lower and upper limit, where a tolerance is given. */
+  /** Lower and upper limit, if there is a tolerance. */
   limits: [number, number] | null;
-  /** Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit. */
+  /** Good, rework or scrap, if there is a tolerance; implausible beyond the limit. */
   verdict: Verdict | null;
-  /** The true value on the virtual part, where there is one. */
+  /** True value on the virtual part, if there is one. */
   truth: number | null;
-  /** Why the value is not the truth, where it is not. */
+  /** Reason why the value differs from the true value, if it does. */
   note: string | null;
-  /** Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it. */
+  /** Storage in the control after its native cycles: `#135`. Null for a program of moves, whose header lists it. */
   stored: string | null;
-  /** Index of its cycle in a set-up, or behind all cycles that of its relation; 0 for a job of one cycle. */
+  /** Index of its cycle in a set-up, or, after all cycles, of its relation; 0 for a job with one cycle. */
   cycle: number;
-  /** Its words as templates and their values. */
+  /** Its texts as templates and their values. */
   said: ResultWords;
 }
 
-/** The words of a result, to be put into other languages. */
+/** Texts of a result, for translation. */
 export interface ResultWords {
-  /** What the value is. */
+  /** Description of the value. */
   meaning: Said;
-  /** Good, rework or scrap, where a tolerance is given. */
+  /** Good, rework or scrap, if there is a tolerance. */
   verdict: Said | null;
-  /** Why the value is not the truth, where it is not. */
+  /** Reason why the value differs from the true value, if it does. */
   note: Said | null;
 }
 
-/** What was proven of a program of moves: read back, it is the path. */
+/** Proof of a program of moves: read back, it is the path. */
 export interface ProofRow {
-  /** How many moves of the path it makes, each where and how it should. */
+  /** Number of moves of the path that the program makes, each with the right position, kind and feed. */
   moves: number;
-  /** How many of them are touches. */
+  /** Number of touches among them. */
   touches: number;
-  /** Whether the program computes the results itself, and the right ones. */
+  /** Whether the program computes the results, and they are right. */
   arithmetic: boolean;
 }
 
-/** Whether the program keeps a safety rule. */
+/** Verdict of a safety rule. */
 export interface SafetyRow {
   /** The name of the rule. */
   rule: RuleName;
-  /** Null where this control cannot hold it, or its own cycle answers for it. */
+  /** Null if this control cannot guarantee it, or its native cycle is responsible for it. */
   holds: boolean | null;
-  /** What the rule asks, what is wrong, or why the control cannot. */
+  /** The requirement, the fault, or the reason why the control cannot guarantee it. */
   message: string;
-  /** The same as a template and its values. */
+  /** `message` as a template and its values. */
   said: Said;
   /** The 0-based lines that break it. */
   lines: number[];
-  /** The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it. */
+  /** The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it. */
   about: number[];
 }
 
 /** The program as text. */
 export interface ProgramText {
-  /** Which control it is for. */
+  /** Id of the control. */
   post: string;
   /** The usual file extension, without the dot. */
   extension: string;
-  /** Its lines, each ended by a line feed. */
+  /** Lines, each ended by a line feed. */
   text: string;
-  /** For each move the 0-based line that makes it; −1 where the native cycle makes it. */
+  /** The 0-based line of each move; −1 if the native cycle makes it. */
   moveLines: number[];
-  /** What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
+  /** Values that the program writes, in its own blocks or by the called cycle. For the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. For the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty if it only measures. */
   writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
-  /** What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
+  /** Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
   does: string;
-  /** The same as a template and its values. */
+  /** `does` as a template and its values. */
   said: Said;
-  /** What was proven of it; null in the form `cycle`. */
+  /** Proof of the program; null in the form `cycle`. */
   proof: ProofRow | null;
-  /** Whether the moves of the plan are those that native cycles make, which the program calls. */
+  /** Whether the moves of the plan are those of native cycles that the program calls. */
   own: boolean;
 }
 
-/** What can be written into an axis of a work offset, or into its rotation. */
+/** Sources of an axis of a work offset, or of its rotation. */
 export interface DatumRow {
   /** `x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis. */
   axis: "x" | "y" | "z" | "rotation";
-  /** The result that is written, `BORE.center.x`, or would be if a work offset were chosen; null where none is. */
+  /** Result that is written, `BORE.center.x`, or would be if a work offset were chosen; null if there is none. */
   from: string | null;
-  /** Every result that can be. */
+  /** Every possible result. */
   choices: string[];
 }
 
-/** Everything that follows from a job. Lengths in the job's units, angles in degrees. */
+/** The plan of a job. Lengths in the job's units, angles in degrees. */
 export interface Plan {
-  /** The nominal touches, on the surface. */
+  /** Nominal touches, on the surface. */
   touches: TouchPoint[];
-  /** The moves, of the ball centre. */
+  /** Moves of the ball centre. */
   moves: Move[];
-  /** The names of the cycles of a set-up, in their order; empty for a job of one cycle. */
+  /** Names of the cycles of a set-up, in order; empty for a job with one cycle. */
   cycles: string[];
-  /** The names of the relations of a set-up, in their order. */
+  /** Names of the relations of a set-up, in order. */
   relations: string[];
-  /** Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle. */
+  /** For a set-up, the possible sources of each axis of a work offset and its rotation, and the used ones; empty for a job with one cycle. */
   datum: DatumRow[];
-  /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */
+  /** Length of the whole path: from the start in the job, else from the end of the first move. */
   length: number;
-  /** Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them. */
+  /** Time of the path, minutes. Rapids run at 5000 mm/min, or at the feed that the control's program states for them. */
   time: number;
-  /** The program, for the control of the job. */
+  /** The program for the control of the job. */
   program: ProgramText;
-  /** The cycle's parameters as its source numbers them. */
+  /** Parameters of the cycle with the numbers of its source. */
   table: ParameterRow[];
-  /** Results the control will store, for the virtual part. */
+  /** Results that the control will store on the virtual part. */
   results: ResultRow[];
-  /** Ball centre at the trigger of each touch on the virtual part; null where it is not met in time. */
+  /** Ball centre at the trigger of each touch on the virtual part; null without a contact within the search. */
   triggers: (Vec3 | null)[];
   /** Warnings and notes; with an error there is no plan. */
   findings: Finding[];
-  /** For each safety rule, whether the program keeps it. */
+  /** Whether the program keeps each safety rule. */
   safety: SafetyRow[];
 }
 
-/** What follows from measured values. Lengths in the job's units, angles in degrees. */
+/** Results from measured values. Lengths in the job's units, angles in degrees. */
 export interface Measurement {
-  /** As a plan has them, from what was measured: `truth` is null. */
+  /** Results as in a plan, from measured values: `truth` is null. */
   results: ResultRow[];
-  /** The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches. */
+  /** Ball centre at each touch, in the work coordinate system; null without a contact. Empty if the text gives results instead of touches. */
   points: (Vec3 | null)[];
   /** On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if nothing has to be typed; a finding gives the reason. */
   block: string | null;
-  /** How the values were read, and what is missing: warnings and notes. */
+  /** Warnings and notes about the reading of the values, and about missing ones. */
   findings: Finding[];
 }
 
-/** What a motion does. */
+/** Kind of a motion. */
 export type TraceKind = "rapid" | "feed" | "watched" | "touch" | "unchecked";
 
 /** One move of a program. */
 export interface TraceMove {
-  /** Where it ends; null along an axis that no block has named yet. */
+  /** End; null along an axis that no block has named yet. */
   to: [number | null, number | null, number | null];
   /** `rapid`, `feed`, `watched`, `touch` or `unchecked`. */
   kind: TraceKind;
-  /** Null is a rapid, or a feed that no block has stated. */
+  /** Feed; null for a rapid, or if no block has stated one. */
   feed: number | null;
-  /** The 0-based line that makes it. */
+  /** The 0-based line of the move. */
   line: number;
 }
 
-/** The moves of a program that says no job. */
+/** The moves of a program without a job. */
 export interface TraceRow {
-  /** The control whose language it was read in. */
+  /** Control whose language it was read in. */
   control: string;
-  /** `mm`, `inch`, or null where it does not say. */
+  /** `mm`, `inch`, or null if the program does not say. */
   units: "mm" | "inch" | null;
   /** Its moves, in its units. */
   moves: TraceMove[];
 }
 
-/** A value as a job has it. */
+/** A value in a job. */
 export type DefaultEntry = number | boolean | string | Vec3 | null;
 
 /** One allowed value of a choice or a code. */
 export interface ChoiceEntry {
-  /** The word, or the number, in the job. */
+  /** Word or number in the job. */
   value: string | number;
-  /** The same for people, in English. */
+  /** Label in English. */
   label: string;
 }
 
-/** What a field must be for another one to count. */
+/** Condition on a field under which another one counts. */
 export interface WhenEntry {
-  /** Key of that other field, in the same form. */
+  /** Key of the other field, in the same form. */
   key: string;
   /** The code that it must have. */
   value: number;
 }
 
-/** One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units. */
+/** One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the units of the job. */
 export interface FieldEntry {
   /** Key in its section. */
   key: string;
-  /** Short name for people, in English. */
+  /** Label in English. */
   label: string;
-  /** What the field is for, in English. */
+  /** Help text in English. */
   help: string;
   /** `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`. */
   kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint";
@@ -628,23 +628,23 @@ export interface FieldEntry {
   range: [number, number] | null;
   /** Whether the smallest number itself is excluded. */
   above: boolean;
-  /** Smallest and largest usual number: the check warns outside of them. Null where every allowed number is usual. */
+  /** Smallest and largest usual number: the check warns outside of them. Null if every allowed number is usual. */
   usual: [number, number] | null;
-  /** The value in a job that leaves the field out. */
+  /** Value in a job that leaves the field out. */
   default: DefaultEntry;
-  /** What a new job in inch begins with, in inch: a number that people type, near to `default`. A job in inch that leaves the field out has `default`. */
+  /** Start value for a new job in inch, in inch: a round number near `default`. A job in inch that leaves the field out has `default`. */
   defaultInch: DefaultEntry;
-  /** What `null` means; null where it is not allowed. */
+  /** Meaning of `null`; null if it is not allowed. */
   null: string | null;
   /** The allowed values of a choice or a code; else empty. */
   choices: ChoiceEntry[];
-  /** Its code in the source's parameter table: `CmdPrm.Flt[-50]`. Null where it has none. */
+  /** Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none. */
   code: string | null;
-  /** The heading under which a form shows it. */
+  /** Heading above the field in a form. */
   group: string;
   /** Whether `part.sizes` may change it. */
   size: boolean;
-  /** What another field of its form must be for this one to count; null where it always counts. */
+  /** Condition on another field of the form under which this one counts; null if it always counts. */
   when: WhenEntry | null;
 }
 
@@ -652,31 +652,31 @@ export interface FieldEntry {
 export interface CycleSectionEntry {
   /** Key of the object in `cycle`. */
   key: string;
-  /** Whether it may be `null`, which is then its default. */
+  /** Whether it may be `null`; this is then its default. */
   optional: boolean;
   /** The fields of that object, in order. */
   fields: FieldEntry[];
 }
 
-/** A cycle, its form, and where it is documented. */
+/** A cycle with its form and its source. */
 export interface CycleEntry {
   /** The value of `cycle.type` in a job. */
   type: Cycle["type"];
-  /** The name that its source gives it. */
+  /** Name given by its source. */
   title: string;
-  /** What it measures, in a sentence, in English. */
+  /** What it measures: one sentence in English. */
   says: string;
-  /** What else people look for it by, in English: words for a search. */
+  /** Further English search words. */
   also: string;
-  /** Who documents it, and as what: `ENCY/SprutCAM type 5`. */
+  /** Source and number: `ENCY/SprutCAM type 5`. */
   source: string;
-  /** Its type number in the source's parameter table, where it has one. */
+  /** Type number in the source's parameter table, if it has one. */
   number: number | null;
   /** Whether its touches may be picked one by one (`cycle.touches`). */
   touches: boolean;
-  /** The most touches it can have. */
+  /** Largest number of touches. */
   maxTouches: number;
-  /** Whether it has feeds and a search length of its own. */
+  /** Whether it has its own feeds and search length. */
   ownFeeds: boolean;
   /** Page of the manual: a path in this repository. */
   doc: string;
@@ -690,9 +690,9 @@ export interface CycleEntry {
 
 /** One section of a job. */
 export interface SectionEntry {
-  /** Its key in the job, empty for the job itself. */
+  /** Key in the job; empty for the job itself. */
   path: string;
-  /** Whether it may be `null`, which is then its default. */
+  /** Whether it may be `null`; this is then its default. */
   optional: boolean;
   /** The fields of the section, in order. */
   fields: FieldEntry[];
@@ -702,29 +702,29 @@ export interface SectionEntry {
 export interface RelationEntry {
   /** The value of `relations[].type` in a job. */
   type: Relation["type"];
-  /** Its name for people, in English. */
+  /** Label in English. */
   label: string;
-  /** What its results are, in English. */
+  /** Its results: one sentence in English. */
   says: string;
   /** Whether its operands are positions, named by their cycles and relations; else single results. */
   places: boolean;
-  /** The fewest operands. */
+  /** Smallest number of operands. */
   least: number;
-  /** The most operands; null if it takes any number. */
+  /** Largest number of operands; null is any number. */
   most: number | null;
-  /** The codes of its results; of angles `.angle` is added to the first. */
+  /** Codes of its results; `.angle` is added to the first if the operands are angles. */
   results: ResultCode[];
 }
 
-/** Whether a control takes a cycle in a form. */
+/** Whether a control supports a cycle in a form. */
 export interface SupportEntry {
   /** The value of `cycle.type`. */
   type: Cycle["type"];
   /** `moves`: plain moves and touches. `cycle`: the native cycle. */
   form: "moves" | "cycle";
-  /** Whether the control takes the cycle in this form. */
+  /** Whether the control supports the cycle in this form. */
   supported: boolean;
-  /** Why not; null where it does. */
+  /** Reason why not; null if it does. */
   reason: string | null;
   /** Whether this native cycle corrects the active preset, so that no work offset is chosen. */
   ownPreset: boolean;
@@ -734,41 +734,41 @@ export interface SupportEntry {
 export interface PostEntry {
   /** The value of `control.post` in a job. */
   id: PostId;
-  /** The control's name, for people. */
+  /** Name of the control. */
   title: string;
   /** The usual file extension, without the dot. */
   extension: string;
-  /** Highest number of a work offset that a program can write; 0 where it can write none. */
+  /** Highest number of a work offset that a program can write; 0 if it can write none. */
   workOffsets: number;
   /** Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis. */
   firstLength: boolean;
   /** Whether its program watches positioning moves with the probe. */
   watches: boolean;
-  /** Whether its program computes the results itself. */
+  /** Whether its program computes the results. */
   computes: boolean;
-  /** Whether its own cycles can correct a tool offset from a measured size. */
+  /** Whether its native cycles can correct a tool offset from a measured size. */
   correctsTools: boolean;
-  /** The fields of the job's section `control` that change nothing on it. */
+  /** Fields of the job's section `control` that change nothing on it. */
   unused: string[];
-  /** What its work offsets are called, from number 1. */
+  /** Names of its work offsets, from number 1. */
   workOffsetWords: string[];
-  /** For each cycle, and each form of the program, whether the control takes it. */
+  /** Whether the control supports each cycle, in each form of the program. */
   cycles: SupportEntry[];
 }
 
-/** A safety rule, as every program is checked for it. */
+/** A safety rule that every program is checked for. */
 export interface RuleEntry {
-  /** Its name, by which the plan's `safety` refers to it. */
+  /** Name of the rule, as in the plan's `safety`. */
   name: string;
-  /** What it demands of a program, in a sentence. */
+  /** Requirement for a program: one sentence. */
   says: string;
-  /** What could happen without it. */
+  /** Possible consequence of breaking it. */
   why: string;
 }
 
-/** What some codes of a parameter table are about. */
+/** A group of codes in a parameter table. */
 export interface CodeGroup {
-  /** What these codes are about, as a heading. */
+  /** Heading of the group. */
   title: string;
   /** The lowest code, included. */
   lowest: number;
@@ -788,18 +788,18 @@ export interface Catalog {
   relations: RelationEntry[];
   /** Every control, with what its programs can do. */
   posts: PostEntry[];
-  /** What programs are checked for. */
+  /** Safety rules that programs are checked for. */
   rules: RuleEntry[];
-  /** Codes of findings that hold for a control and form whatever the job: a page may say them once, at the control's name. */
+  /** Codes of findings that hold for a control and form whatever the job. A page may show them once, at the control's name. */
   standing: string[];
-  /** What the codes of a CmdPrm table are about; the first that fits counts. */
+  /** Groups of codes in a CmdPrm table; the first matching group counts. */
   codeGroups: CodeGroup[];
-  /** The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them. */
+  /** Assumed rate of rapids in `plan().time`, mm/min, if the program states none. */
   rapidRate: number;
-  /** The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number. */
+  /** Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry. */
   maxTouches: number;
-  /** The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units). */
+  /** Length of the longest text that can become a job, in UTF-16 units (characters as JavaScript counts them). */
   longestText: number;
-  /** The longest program whose moves are read, likewise. */
+  /** Length of the longest program whose moves are read, in the same units. */
   longestProgram: number;
 }

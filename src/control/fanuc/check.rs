@@ -6,7 +6,7 @@ use crate::control::{
 };
 use crate::form::Checker;
 use crate::geom::Plane;
-use crate::path::Purpose;
+use crate::path::MovePurpose;
 use crate::text::text;
 
 /// Smallest search distance, and smallest distance from the start of a touch to its contact, mm. With less, a contact cannot be distinguished from the end or
@@ -23,9 +23,9 @@ pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
         .moves
         .iter()
         .filter_map(|step| match step.purpose {
-            Purpose::Touch(_) => Some(request.feeds.work),
-            Purpose::Position => request.feeds.rate(step.feed),
-            Purpose::Search(_) | Purpose::Back(_) => None,
+            MovePurpose::Touch(_) => Some(request.feeds.work),
+            MovePurpose::Position => request.feeds.rate(step.feed),
+            MovePurpose::Search(_) | MovePurpose::Retract(_) => None,
         });
     let fastest = feeds.fold(0.0, f64::max);
     let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
@@ -107,7 +107,11 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     check_starts(request, checker);
     number::check_digits(request, checker);
-    let more = if request.corrects() { 1 + CHANGES } else { 0 };
+    let more = if request.writes_offset() {
+        1 + CHANGES
+    } else {
+        0
+    };
     let last = FIRST + request.registers().last + more;
     if last > LAST {
         let message = text!(

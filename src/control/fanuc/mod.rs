@@ -21,12 +21,14 @@ use self::flavour::{Flavour, PLAIN, WITH_ALARMS};
 use self::skip::{IN_POSITION, emit};
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::own::OwnCycles;
+use crate::control::own::NativeCycles;
 use crate::control::renishaw::cycles;
 use crate::control::renishaw::post::{self, CALLS, Calls, variable};
-use crate::control::{BASE, Form, PostDef, Program, Request, feed_rate, number, offsets, rules};
+use crate::control::{
+    BASE, PostDef, Program, ProgramForm, Request, feed_rate, number, offsets, rules,
+};
 use crate::form::Checker;
-use crate::path::{Move, Subject};
+use crate::path::{FeatureKind, Move};
 use crate::text::words;
 
 /// Fanuc 30i, 31i, 32i, 0i-F.
@@ -70,7 +72,7 @@ pub static HAAS: PostDef = PostDef {
     rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
     check: |request, checker| {
         checked(request, checker);
-        if request.form == Form::Moves {
+        if request.form == ProgramForm::Moves {
             check_haas_feeds(request, checker);
         }
     },
@@ -110,8 +112,8 @@ const SHORTEST_PROBE: f64 = 0.2;
 /// Reports what moves or macros cannot do for this request.
 fn checked(request: &Request<'_>, checker: &mut Checker) {
     match request.form {
-        Form::Moves => check(request, checker),
-        Form::Cycle => {
+        ProgramForm::Moves => check(request, checker),
+        ProgramForm::Cycle => {
             // A Haas uses the same names.
             post::check(request, &CALLS, checker);
             number::check(request, checker);
@@ -121,7 +123,7 @@ fn checked(request: &Request<'_>, checker: &mut Checker) {
 
 /// The program, in moves or with macros.
 fn written(request: &Request<'_>, flavour: &'static Flavour, calls: &Calls) -> Program {
-    if request.path.own.is_some() {
+    if request.path.calls.is_some() {
         post::emit(request, calls)
     } else {
         emit(request, flavour)
@@ -129,8 +131,8 @@ fn written(request: &Request<'_>, flavour: &'static Flavour, calls: &Calls) -> P
 }
 
 /// Work offsets and results of the macros: S154.01 for G154 P1 of a Haas [S].
-static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
-static HAAS_OWN: OwnCycles = cycles(
+static OWN: NativeCycles = cycles(offsets::letter, |stored| variable(135, stored));
+static HAAS_OWN: NativeCycles = cycles(
     |n| {
         if n <= offsets::STANDARD {
             f64::from(n)
@@ -152,13 +154,13 @@ const LAST: usize = 147;
 /// Number of axes whose origin may change.
 const CHANGES: usize = 3;
 
-fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
-        (_, Form::Moves) => Ok(()),
-        (Subject::Wall, Form::Cycle) => Err(
+        (_, ProgramForm::Moves) => Ok(()),
+        (FeatureKind::Wall, ProgramForm::Cycle) => Err(
             "the macro for the angle of a wall, 9843, is read and drawn, and not written: use moves",
         ),
-        (Subject::Action, Form::Cycle) => {
+        (FeatureKind::Action, ProgramForm::Cycle) => {
             Err("a line for the control is not a cycle: the moves form states the modes and ends")
         }
         _ => Ok(()),
@@ -168,7 +170,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
 /// Feed of a move, mm/min. All moves but the shortest are watched.
 fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
     // The macros have their own feeds, and true rapids.
-    if request.path.own.is_some() {
+    if request.path.calls.is_some() {
         return request.feeds.rate(step.feed);
     }
     request

@@ -5,12 +5,16 @@ use super::{CHANGES, FIRST, SHORTEST_PROBE, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
-use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
-use crate::control::{FROM_THE_TOP, Program, Report, Request, does, number, orientation_line};
-use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question};
+use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
+use crate::control::{
+    FROM_THE_TOP, Program, Request, ResultOutput, number, orientation_line, write_summary,
+};
+use crate::formula::{
+    CheckKind, Coordinate, Formula, Node, NodeId, OffsetCorrection, Op, ResultCheck,
+};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
-use crate::path::{Move, Term, Touch};
+use crate::path::{Move, ShiftTerm, Touch};
 
 /// In-position tolerance, mm: a move that stops closer than this to its end had no contact. Our choice.
 pub(super) const IN_POSITION: f64 = 0.05;
@@ -19,7 +23,7 @@ pub(super) const IN_POSITION: f64 = 0.05;
 const FREE: &str = "9001";
 const MISSED: &str = "9002";
 const BLOCKED: &str = "9003";
-const ELSEWHERE: &str = "9005";
+const WRONG_START: &str = "9005";
 const INCOMPLETE: &str = "9006";
 
 /// First label of the states in which nothing moves, and first label of implausible results; the numbers of their alarms likewise.
@@ -53,7 +57,7 @@ fn push_variable(text: &mut String, n: usize) {
 
 /// Writes the program of a request in the flavour of a Fanuc or a Haas.
 pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
-    let skip = &mut Skip {
+    let skip = &mut SkipWriter {
         request,
         flavour,
         registers: request.registers(),
@@ -65,7 +69,7 @@ pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program 
 }
 
 /// The program of one request.
-struct Skip<'a> {
+struct SkipWriter<'a> {
     request: &'a Request<'a>,
     flavour: &'static Flavour,
     registers: &'a Registers,
@@ -115,7 +119,7 @@ fn constant(x: f64) -> String {
 /// Variables with the stop position of the last G31 along each axis.
 const STOPPED_AT: [&str; 3] = ["#5061", "#5062", "#5063"];
 
-impl Skip<'_> {
+impl SkipWriter<'_> {
     /// A number as a value: with its point, and in brackets if it is negative.
     fn number(w: &Writer<'_>, mm: f64) -> String {
         let text = w.number(mm);
@@ -127,7 +131,7 @@ impl Skip<'_> {
     }
 
     /// Distance of the stop position from the end of a move, as a sum over the known axes.
-    fn off(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
+    fn deviation_sum(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
         Self::off_place(w, to, axes, |axis| w.shift(axis))
     }
 
@@ -190,7 +194,7 @@ impl Skip<'_> {
     }
 
     /// A watched move and its check on the axes with known positions.
-    fn goes(
+    fn watched_move(
         &mut self,
         w: &mut Writer<'_>,
         words: &str,
@@ -202,7 +206,7 @@ impl Skip<'_> {
         let rate = self.rate(step);
         self.probe(w, words, rate, self.flavour.free);
         if !axes.is_empty() {
-            let (off, near) = (Self::off(w, to, axes), Self::in_position(w));
+            let (off, near) = (Self::deviation_sum(w, to, axes), Self::in_position(w));
             w.parts(&["IF [", &off, " GT ", &near, "] GOTO ", exit]);
         }
     }
@@ -219,7 +223,7 @@ impl Skip<'_> {
 
     /// Checks whether #5043 includes the tool length, at a known height: the difference must be the length or 0. Any other value means a contact on the way or
     /// a stylus elsewhere.
-    fn settle(&mut self, w: &mut Writer<'_>, height: f64, exit: &str) {
+    fn check_tool_length(&mut self, w: &mut Writer<'_>, height: f64, exit: &str) {
         let (near, good) = (Self::in_position(w), self.label());
         let set = format!("#148=#5043-{}", Self::number(w, height));
         w.line(&set);
@@ -273,18 +277,18 @@ impl Skip<'_> {
 /// Longest text of an alarm, characters.
 const LONGEST_ALARM: usize = 26;
 
-impl Moves for Skip<'_> {
+impl Moves for SkipWriter<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let request = self.request;
         let formula = &request.path.formula;
         w.line("%");
         w.line(&number::line(request));
-        w.header(&does::line(request, does::ONCE));
+        w.header(&write_summary::line(request, write_summary::ONCE));
         if number::chosen(request).is_none() {
             w.comment("No number was chosen: this may replace a program O1000 of the control");
         }
         self.head(w);
-        let more = if request.corrects() {
+        let more = if request.writes_offset() {
             self.change(CHANGES) - self.registers.last - 1
         } else {
             0
@@ -326,11 +330,11 @@ impl Moves for Skip<'_> {
         }
         self.halt(w);
         w.line(&format!("{}={}", variable(0), self.flavour.length));
-        if request.corrects() {
+        if request.writes_offset() {
             w.line(&format!("{}=0", variable(self.count())));
         }
         if let Some(start) = request.path.start {
-            self.settle(w, start.z, ELSEWHERE);
+            self.check_tool_length(w, start.z, WRONG_START);
         }
     }
 
@@ -340,26 +344,26 @@ impl Moves for Skip<'_> {
         // negative one, as in tables with machine heights. Sums of lengths and heights are rounded, and a control reads its axes in its own steps.
         let height = Self::number(w, first.to.z - IN_POSITION);
         w.line(&format!(
-            "IF [#5043-{} LT {height}] GOTO {ELSEWHERE}",
+            "IF [#5043-{} LT {height}] GOTO {WRONG_START}",
             variable(0)
         ));
-        w.line(&format!("IF [#5043 LT {height}] GOTO {ELSEWHERE}"));
+        w.line(&format!("IF [#5043 LT {height}] GOTO {WRONG_START}"));
         // The stylus is above everything that the program knows, by an unknown distance: a contact does not lift, since a lift to a stated height could go
         // down.
         let across = w.goes_in_plane(first.to);
-        self.goes(w, &across, first.to, first, &[0, 1], BLOCKED);
+        self.watched_move(w, &across, first.to, first, &[0, 1], BLOCKED);
         w.makes_move();
         let down = w.goes_along_tool(first.to);
-        self.goes(w, &down, first.to, first, &[], BLOCKED);
-        self.settle(w, first.to.z, BLOCKED);
+        self.watched_move(w, &down, first.to, first, &[], BLOCKED);
+        self.check_tool_length(w, first.to.z, BLOCKED);
     }
 
-    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn position(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.parts(&["#149=", &format_count(step.index + 1)]);
         w.makes_move();
         each_piece(self.request, step, |from, to| {
             if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
-                self.moves(w, to, step.step);
+                self.moves(w, to, step.planned);
                 return;
             }
             let exit = if upwards(self.request, from, to) > 0 {
@@ -368,19 +372,19 @@ impl Moves for Skip<'_> {
                 FREE
             };
             let words = w.goes_to(to, true);
-            self.goes(w, &words, to, step.step, &[0, 1, 2], exit);
+            self.watched_move(w, &words, to, step.planned, &[0, 1, 2], exit);
         });
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>, touch: &Touch) {
         w.parts(&["#149=", &format_count(step.index + 1)]);
         // Counted before the touch: a program that is started after it counts one too few.
-        if self.request.corrects() {
+        if self.request.writes_offset() {
             let count = variable(self.count());
             w.parts(&[&count, "=", &count, "+1"]);
         }
         w.makes_move();
-        let end = step.step.to - touch.vector * touch.search;
+        let end = step.planned.to - touch.vector * touch.search;
         let words = w.goes_to_all(end);
         self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
         let near = Self::in_position(w);
@@ -397,7 +401,7 @@ impl Moves for Skip<'_> {
         }
         w.parts(&[
             "IF [",
-            &Self::off(w, end, &[0, 1, 2]),
+            &Self::deviation_sum(w, end, &[0, 1, 2]),
             " LE ",
             &near,
             "] GOTO ",
@@ -416,13 +420,13 @@ impl Moves for Skip<'_> {
         true
     }
 
-    fn shift(&self, formula: &Formula, terms: &[Term], scale: f64) -> String {
+    fn shift(&self, formula: &Formula, terms: &[ShiftTerm], scale: f64) -> String {
         print::shift(&Variables(self.registers), formula, terms, scale)
     }
 
-    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn retract(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.makes_move();
-        self.moves(w, step.step.to, step.step);
+        self.moves(w, step.planned.to, step.planned);
     }
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
@@ -448,7 +452,7 @@ impl Moves for Skip<'_> {
     }
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
-        if self.request.corrects() {
+        if self.request.writes_offset() {
             self.halt(w);
         }
         for &(copy, index) in &self.registers.copies {
@@ -460,7 +464,7 @@ impl Moves for Skip<'_> {
         }
     }
 
-    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
+    fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
         let unit = if question.angle {
             1.0
         } else {
@@ -474,7 +478,10 @@ impl Moves for Skip<'_> {
             text => format!("{}-{text}", variable(register)),
         };
         let result = &formula.results[question.result];
-        let off_or_out = if matches!(question.asked, Asked::Plausible | Asked::Leads) {
+        let off_or_out = if matches!(
+            question.asked,
+            CheckKind::Plausibility | CheckKind::FollowLimit
+        ) {
             "OFF"
         } else {
             "OUT"
@@ -492,7 +499,7 @@ impl Moves for Skip<'_> {
             .into_iter()
             .find(|says| says.len() <= LONGEST_ALARM);
         let alarm = alarm.unwrap_or_else(|| says("result"));
-        if question.stops(self.request.corrects()) {
+        if question.stops(self.request.writes_offset()) {
             // An alarm would stop the ball on its way.
             if self.moves_on {
                 self.halt(w);
@@ -510,7 +517,13 @@ impl Moves for Skip<'_> {
     }
 
     /// Shifts the origin by measured minus nominal: a work offset has no rotation.
-    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+    fn write(
+        &mut self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        number: i32,
+        datum: &OffsetCorrection,
+    ) {
         w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
         let axes = self.request.plane.axes();
         let mut changed = Vec::new();
@@ -567,8 +580,8 @@ impl Moves for Skip<'_> {
             return;
         }
         match self.request.report {
-            Report::None => {}
-            Report::Screen => {
+            ResultOutput::None => {}
+            ResultOutput::Screen => {
                 let list: Vec<String> = results
                     .map(|(variable, code)| format!("{variable}={code}"))
                     .collect();
@@ -583,7 +596,7 @@ impl Moves for Skip<'_> {
                 ));
                 w.line("M0");
             }
-            Report::Log => {
+            ResultOutput::Log => {
                 let digits = if self.request.scale == 1.0 {
                     "53"
                 } else {
@@ -611,7 +624,7 @@ impl Moves for Skip<'_> {
     }
 }
 
-impl Skip<'_> {
+impl SkipWriter<'_> {
     /// Notes for the operator before the run.
     fn head(&self, w: &mut Writer<'_>) {
         let request = self.request;
@@ -641,7 +654,7 @@ impl Skip<'_> {
                 _ => orientation_line(request),
             });
             w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
-            if self.request.corrects() {
+            if self.request.writes_offset() {
                 w.comment(FROM_THE_TOP);
             }
         }
@@ -655,7 +668,7 @@ impl Skip<'_> {
         // Earlier touches no longer count.
         let forget = self
             .request
-            .corrects()
+            .writes_offset()
             .then(|| format!("{}=0", variable(self.count())));
         let mut exit = |label: &str, lifts: Option<&str>, forget: Option<&String>, alarm: &str| {
             w.line(&format!("N{label}"));
@@ -689,8 +702,8 @@ impl Skip<'_> {
         } else {
             "4(STYLUS TOO LOW TO START)"
         };
-        exit(ELSEWHERE, None, None, start);
-        if self.request.corrects() {
+        exit(WRONG_START, None, None, start);
+        if self.request.writes_offset() {
             exit(
                 INCOMPLETE,
                 None,

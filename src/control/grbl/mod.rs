@@ -11,26 +11,26 @@ mod read;
 mod write;
 
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
-use crate::control::moves::{self, Moves, Step, each_piece};
+use crate::control::moves::{self, MoveContext, Moves, each_piece};
 use crate::control::rules;
 use crate::control::{
-    BASE, Form, ORIENT, PostDef, Program, Request, WRITE_OFFSET, check_length_axis,
-    check_orientation, check_plain_moves, check_watched, does, orientation_line,
+    BASE, ORIENT, PostDef, Program, ProgramForm, Request, WRITE_OFFSET, check_length_axis,
+    check_orientation, check_plain_moves, check_watched, orientation_line, write_summary,
 };
 use crate::form::Checker;
 use crate::geom::Vec3;
 use crate::num::decimal;
-use crate::path::{Move, Purpose, STATED_RAPID, Touch};
+use crate::path::{Move, MovePurpose, STATED_RAPID, Touch};
 use crate::text::{text, words};
 
-pub static DEF: PostDef = KIN;
+pub static DEF: PostDef = GRBL_BASE;
 
 /// grblHAL. Whether it has variables depends on its build; they are not used.
 pub static GRBLHAL: PostDef = PostDef {
     key: "grblhal",
     title: "grblHAL",
     about: "the moves of grbl, in longer lines. Its variables depend on how it was built, and are not used.",
-    ..LATER
+    ..LONG_LINE_BASE
 };
 
 /// FluidNC. Its variables hold machine coordinates; they are not used.
@@ -38,11 +38,11 @@ pub static FLUIDNC: PostDef = PostDef {
     key: "fluidnc",
     title: "FluidNC",
     about: "the moves of grbl, in longer lines. Its variables hold machine coordinates, and are not used.",
-    ..LATER
+    ..LONG_LINE_BASE
 };
 
 /// Base of the grbl-compatible controls (grblHAL, FluidNC): the program of grbl with longer lines.
-const LATER: PostDef = PostDef {
+const LONG_LINE_BASE: PostDef = PostDef {
     dialect: &LONG,
     cannot: &[
         (
@@ -82,7 +82,7 @@ const LATER: PostDef = PostDef {
         (rules::RESTART, WRITTEN_BY_THE_SENDER),
         (rules::WRITE_LAST, WRITTEN_BY_THE_SENDER),
     ],
-    ..KIN
+    ..GRBL_BASE
 };
 
 const CONTACT_STAYS: &str = words!(
@@ -93,7 +93,7 @@ const WRITTEN_BY_THE_SENDER: &str =
     words!("the program is that of grbl and uses no variables: the sender writes the work offset");
 
 /// Base of grbl, grblHAL and FluidNC.
-const KIN: PostDef = PostDef {
+const GRBL_BASE: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
     about: "the same moves, positioning watched by G38.3. grbl has no variables, so a program cannot compute or write anything; the page and the program say so.",
@@ -147,7 +147,7 @@ const KIN: PostDef = PostDef {
     ],
     rate,
     serves: |_, form| {
-        if form == Form::Moves {
+        if form == ProgramForm::Moves {
             Ok(())
         } else {
             Err("it has no probing cycles of its own")
@@ -213,7 +213,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// Whether a move is watched: positioning from a known position.
 fn is_watched(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> bool {
-    request.protected && step.purpose == Purpose::Position && from.is_some()
+    request.protected && step.purpose == MovePurpose::Position && from.is_some()
 }
 
 /// Feed of a move. Watched moves have one. An unwatched rapid downwards runs at the feed of the touches; so does an arc, which needs a feed.
@@ -243,7 +243,10 @@ impl Moves for Grbl<'_> {
         } else {
             ": each touch is reported as PRB in machine coordinates"
         };
-        w.header(&format!("{}{reported}", does::sentence(self.request)));
+        w.header(&format!(
+            "{}{reported}",
+            write_summary::sentence(self.request)
+        ));
         if let (Some(first), None) = (path.moves.first(), path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
             w.comment(&format!("The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \
@@ -272,23 +275,23 @@ impl Moves for Grbl<'_> {
         approach(w, self.request, first);
     }
 
-    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn position(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.makes_move();
-        if !is_watched(self.request, step.from, step.step) {
+        if !is_watched(self.request, step.from, step.planned) {
             return plain(w, self.request, step);
         }
-        let rate = rate(self.request, step.from, step.step);
+        let rate = rate(self.request, step.from, step.planned);
         each_piece(self.request, step, |_, to| {
             w.straight("G38.3", to, false, rate)
         });
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>, touch: &Touch) {
         w.makes_move();
-        w.touch("G38.2", step.step, touch, false, self.request.feeds.work);
+        w.touch("G38.2", step.planned, touch, false, self.request.feeds.work);
     }
 
-    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn retract(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.makes_move();
         plain(w, self.request, step);
     }
@@ -314,7 +317,15 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     w.line(&format!("{word}{down}{rate}"));
 }
 
-fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Step<'_>) {
+fn plain(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    MoveContext {
+        planned: step,
+        from,
+        ..
+    }: MoveContext<'_>,
+) {
     let rate = rate(request, from, step);
     if let (Some(arc), Some(from)) = (&step.arc, from) {
         return w.arc(from, step, arc, rate);

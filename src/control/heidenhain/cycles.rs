@@ -10,13 +10,13 @@ use crate::control::native::rows::{Probed, Shape};
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
-use crate::path::{Arc, Reach};
+use crate::path::{Arc, ProbeTable};
 
 /// Runs a cycle by its Q parameters, lengths in mm and angles in degrees. `None` if the cycle or one of its parameters is unknown.
 pub fn run(
     number: u16,
     parameters: &[(u16, f64)],
-    reach: Reach,
+    reach: ProbeTable,
     machine: &mut Machine<'_>,
 ) -> Option<Result<(), Alarm>> {
     let row = row(number)?;
@@ -45,7 +45,7 @@ pub fn run(
 
 struct Cycle<'c, 'w> {
     of: Probed,
-    reach: Reach,
+    reach: ProbeTable,
     /// Clearance height.
     high: f64,
     machine: &'c mut Machine<'w>,
@@ -70,7 +70,7 @@ impl Cycle<'_, '_> {
     fn touches(&mut self, contact: Vec3) -> Result<(), Alarm> {
         let towards = (contact - self.machine.at).normalize_or_zero();
         self.machine
-            .touches_once(contact, towards, self.reach.behind)
+            .touches_once(contact, towards, self.reach.overtravel)
             .map(|_| ())
     }
 

@@ -6,18 +6,20 @@
 
 mod blocks;
 pub mod cycles;
+mod plan_calls;
 pub mod read;
-mod serve;
 
 use std::ops::Range;
 
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, stated_start};
-use crate::control::moves::{self, Moves, Step};
-use crate::control::{BASE, Form, ORIENT, PostDef, Program, Request, check_orientation, does};
+use crate::control::moves::{self, MoveContext, Moves};
+use crate::control::{
+    BASE, ORIENT, PostDef, Program, ProgramForm, Request, check_orientation, write_summary,
+};
 use crate::form::Checker;
 use crate::geom::Plane;
 use crate::num::decimal;
-use crate::path::{Move, ParameterValue, Setting, Subject, Touch};
+use crate::path::{FeatureKind, Move, ParameterValue, Setting, Touch};
 use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
@@ -26,7 +28,7 @@ pub static DEF: PostDef = PostDef {
     about: "a Klartext program with the control's own cycles: 1411, tolerances, semi-automatic and given positions included; 408 to 427 for surfaces, circles, rectangles, webs and grooves along the axes, which measure only or write a row of the preset table. Not verified on a control.",
     extension: "h",
     work_offsets: 99,
-    own_preset: |subject| subject == Subject::TwoCircles,
+    own_preset: |subject| subject == FeatureKind::TwoCircles,
     work_offset_word: |n| format!("preset row {n}"),
     computes: false,
     cannot: &[(
@@ -56,27 +58,29 @@ pub static DEF: PostDef = PostDef {
     serves,
     check,
     emit,
-    own: Some(&serve::CYCLES),
+    own: Some(&plan_calls::CYCLES),
     ..BASE
 };
 
-fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
-        (Subject::Switch | Subject::Action, _) => Err("the control has no cycle for it"),
-        (_, Form::Moves) => Err(
+        (FeatureKind::Switch | FeatureKind::Action, _) => Err("the control has no cycle for it"),
+        (_, ProgramForm::Moves) => Err(
             "our sources do not document the control's low-level probing blocks well enough to write these moves",
         ),
         (
-            Subject::CornerInside
-            | Subject::CornerOutside
-            | Subject::TripleInside
-            | Subject::TripleOutside,
-            Form::Cycle,
+            FeatureKind::CornerInside
+            | FeatureKind::CornerOutside
+            | FeatureKind::TripleInside
+            | FeatureKind::TripleOutside,
+            ProgramForm::Cycle,
         ) => Err(
             "no source shows the whole block of the corner cycles 414 and 415, and programs of one cycle 427 a touch with arithmetic in Q parameters are not made",
         ),
-        (Subject::Wall, Form::Cycle) => Err("no source shows the whole block of cycle 420"),
-        (_, Form::Cycle) => Ok(()),
+        (FeatureKind::Wall, ProgramForm::Cycle) => {
+            Err("no source shows the whole block of cycle 420")
+        }
+        (_, ProgramForm::Cycle) => Ok(()),
     }
 }
 
@@ -101,8 +105,8 @@ fn program_name(name: &str) -> String {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    if let Some(own) = &request.path.own {
-        return serve::emit(request, own, &program_name(request.name));
+    if let Some(own) = &request.path.calls {
+        return plan_calls::emit(request, own, &program_name(request.name));
     }
     moves::write(
         request,
@@ -152,7 +156,7 @@ impl Moves for Klartext<'_> {
             request.plane.word(),
             w.number(2.0 * request.setup.radius)
         ));
-        w.comment(&does::line(request, ""));
+        w.comment(&write_summary::line(request, ""));
         w.comment(&match request.tool {
             Some(tool) => format!("Before the start: tool {tool} is the probe, it is called"),
             None => format!("Before the start: the probe is in the spindle and active, tool axis {axis}. No tool is called"),
@@ -168,7 +172,7 @@ impl Moves for Klartext<'_> {
             w.comment(
                 "In a tilted plane that fits the rotary axes a basic rotation is one of the input system, else of the workpiece system",
             );
-            if does::code(circles, 1126) != 0 {
+            if write_summary::code(circles, 1126) != 0 {
                 w.comment(
                     "Only a rotary TABLE axis can be aligned: the first one from the part, if it can make up for the rotation",
                 );
@@ -219,11 +223,11 @@ impl Moves for Klartext<'_> {
 
     fn approach(&mut self, _: &mut Writer<'_>, _: &Move) {}
 
-    fn position(&mut self, _: &mut Writer<'_>, _: Step<'_>) {}
+    fn position(&mut self, _: &mut Writer<'_>, _: MoveContext<'_>) {}
 
-    fn touch(&mut self, _: &mut Writer<'_>, _: Step<'_>, _: &Touch) {}
+    fn touch(&mut self, _: &mut Writer<'_>, _: MoveContext<'_>, _: &Touch) {}
 
-    fn back(&mut self, _: &mut Writer<'_>, _: Step<'_>) {}
+    fn retract(&mut self, _: &mut Writer<'_>, _: MoveContext<'_>) {}
 
     fn end(&mut self, w: &mut Writer<'_>) {
         self.frame(w, "END");
@@ -233,8 +237,8 @@ impl Moves for Klartext<'_> {
 /// Checks angles: the control has three decimals.
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_orientation(request, checker);
-    if request.path.own.is_some() {
-        return serve::check(request, checker);
+    if request.path.calls.is_some() {
+        return plan_calls::check(request, checker);
     }
     if request.work_offset.is_some() {
         let message = text!(

@@ -2,7 +2,7 @@
 
 use crate::formula::{Formula, Function, Name, Node, NodeId, Op, Variable};
 use crate::num::{push_count, push_decimal};
-use crate::path::Term;
+use crate::path::ShiftTerm;
 
 /// Notation of expressions.
 pub trait Notation {
@@ -47,9 +47,14 @@ pub fn variable<N: Notation>(notation: &N, formula: &Formula, variable: Variable
 const SHIFT_DECIMALS: usize = 10;
 
 /// Term that shifts a position: `+#<bore_shift_x>`, `-0.5*R13`. `scale` is mm in a unit of the program.
-pub fn shift<N: Notation>(notation: &N, formula: &Formula, terms: &[Term], scale: f64) -> String {
+pub fn shift<N: Notation>(
+    notation: &N,
+    formula: &Formula,
+    terms: &[ShiftTerm],
+    scale: f64,
+) -> String {
     let mut text = String::new();
-    for Term {
+    for ShiftTerm {
         by, factor, length, ..
     } in terms
     {

@@ -88,9 +88,9 @@ impl Reads {
         }
         // Values that moves or the datum read are kept to the end.
         let moves = path
-            .members
+            .cycles
             .iter()
-            .flat_map(|member| member.placing.moved_by());
+            .flat_map(|member| member.placing.shift_variables());
         moves.for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
         if let Some(datum) = &formula.datum {
             let measured = datum

@@ -3,7 +3,7 @@
 use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, format_count};
-use crate::path::{Arc, Feature, Move, ONE_LEVEL, Purpose, Surface, Touch};
+use crate::path::{Arc, Feature, Move, MovePurpose, ONE_LEVEL, Surface, Touch};
 
 /// Notation of a control's blocks, beyond the common word-address format.
 #[derive(Clone, Copy, Debug)]
@@ -235,7 +235,7 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(&format!("Job: {}", comment_text(request.name)));
-        match request.path.members.len() {
+        match request.path.cycles.len() {
             0 => self.comment(&format!("{}: {}", request.source, request.title)),
             count => self.comment(&format!("A set-up of {count} cycles")),
         }
@@ -259,7 +259,7 @@ impl<'a> Writer<'a> {
         }
         self.comment(offset);
         // Native cycles tell it themselves.
-        if request.path.own.is_some() {
+        if request.path.calls.is_some() {
             return;
         }
         if matches!(request.path.feature, Feature::Unmoving) {
@@ -272,7 +272,7 @@ impl<'a> Writer<'a> {
         }
         for member in request
             .path
-            .members
+            .cycles
             .iter()
             .filter(|member| member.path.top.is_none())
         {
@@ -289,7 +289,7 @@ impl<'a> Writer<'a> {
             request.path.moves.first(),
             request.path.start,
             request.path.top,
-            request.path.members.is_empty(),
+            request.path.cycles.is_empty(),
         ) {
             let height = self.height_word(first.to);
             self.comment(&format!(
@@ -326,7 +326,7 @@ impl<'a> Writer<'a> {
     pub fn names_cycle(&mut self, index: usize) {
         let path = self.request.path;
         if let Some(begins) = path.begins_member(index) {
-            let member = &path.members[begins];
+            let member = &path.cycles[begins];
             self.comment(&format!("{}: {}", member.name, member.title));
         }
     }
@@ -662,7 +662,7 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     };
     // A chord over the angle x deviates from a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
-    let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
+    let sag = CHORD_SAG.min(request.path.shortest_approach() / 2.0);
     let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
     let degrees = crate::num::within(degrees, 0.1, 30.0);
     step.pieces(
@@ -689,7 +689,7 @@ fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
     let free = if in_hole {
         f64::INFINITY
     } else {
-        request.path.shortest_way() / 2.0
+        request.path.shortest_approach() / 2.0
     };
     (count.is_finite() && count >= 1.0 && leaves <= CHORD_SAG.min(free))
         .then(|| each.to_degrees() * (1.0 + 1e-9))
@@ -697,7 +697,7 @@ fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
 
 /// Whether the first move comes from an unknown position: then it is made in steps.
 pub fn start_unknown(request: &Request<'_>, index: usize, step: &Move) -> bool {
-    index == 0 && request.path.start.is_none() && step.purpose == Purpose::Position
+    index == 0 && request.path.start.is_none() && step.purpose == MovePurpose::Position
 }
 
 #[cfg(test)]

@@ -16,18 +16,18 @@ use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards,
 };
-use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
+use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
 use crate::control::rules;
 use crate::control::{
-    BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation,
-    check_plain_moves, check_rotary, check_watched, check_write, does, orientation_line,
-    rotation_field, work_offset_word,
+    BASE, PostDef, Program, ProgramForm, Request, ResultOutput, check_length_axis,
+    check_orientation, check_plain_moves, check_rotary, check_watched, check_write,
+    orientation_line, rotation_field, work_offset_word, write_summary,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Formula, Question, Variable};
+use crate::formula::{Formula, OffsetCorrection, ResultCheck, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, decimal, format_count};
-use crate::path::{Move, Purpose, STATED_RAPID, Term, Touch};
+use crate::path::{Move, MovePurpose, STATED_RAPID, ShiftTerm, Touch};
 use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
@@ -48,8 +48,8 @@ pub static DEF: PostDef = PostDef {
     )],
     rate,
     serves: |_, form| match form {
-        Form::Moves => Ok(()),
-        Form::Cycle => Err(
+        ProgramForm::Moves => Ok(()),
+        ProgramForm::Cycle => Err(
             "LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches",
         ),
     },
@@ -130,7 +130,7 @@ fn check_short(request: &Request<'_>, checker: &mut Checker) {
 fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
     match (step.purpose, request.protected, step.arc) {
-        (Purpose::Position, true, _) => Some(stated.unwrap_or(STATED_RAPID)),
+        (MovePurpose::Position, true, _) => Some(stated.unwrap_or(STATED_RAPID)),
         (_, false, Some(_)) => Some(stated.unwrap_or(request.feeds.work)),
         _ => stated,
     }
@@ -171,7 +171,7 @@ impl Moves for LinuxCnc<'_> {
         approach(w, self.request, first, &mut self.labels);
     }
 
-    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn position(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.makes_move();
         if self.request.protected {
             watched(w, self.request, step, &mut self.labels);
@@ -180,11 +180,11 @@ impl Moves for LinuxCnc<'_> {
         }
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>, touch: &Touch) {
         w.makes_move();
         w.touch(
             "G38.2",
-            step.step,
+            step.planned,
             touch,
             self.request.protected,
             self.request.feeds.work,
@@ -198,11 +198,11 @@ impl Moves for LinuxCnc<'_> {
         true
     }
 
-    fn shift(&self, formula: &Formula, terms: &[Term], scale: f64) -> String {
+    fn shift(&self, formula: &Formula, terms: &[ShiftTerm], scale: f64) -> String {
         print::shift(&print::Rs274, formula, terms, scale)
     }
 
-    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn retract(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.makes_move();
         plain(w, self.request, step);
     }
@@ -227,11 +227,11 @@ impl Moves for LinuxCnc<'_> {
     fn results(&mut self, w: &mut Writer<'_>, formula: &Formula) {
         // MSG shows a text without values, and PRINT writes to the terminal: DEBUG shows values on the operator's screen.
         let word = match self.request.report {
-            Report::Screen => "(DEBUG,",
-            Report::Log => "(LOG,",
-            Report::None => "(PRINT,",
+            ResultOutput::Screen => "(DEBUG,",
+            ResultOutput::Log => "(LOG,",
+            ResultOutput::None => "(PRINT,",
         };
-        let log = self.request.report == Report::Log
+        let log = self.request.report == ResultOutput::Log
             && formula
                 .results
                 .iter()
@@ -246,7 +246,7 @@ impl Moves for LinuxCnc<'_> {
             .iter()
             .filter_map(|result| Some((formula.code(result), result.variable?)))
             .collect();
-        let crowded = self.request.report == Report::Screen && shown.len() > MOST_MESSAGES;
+        let crowded = self.request.report == ResultOutput::Screen && shown.len() > MOST_MESSAGES;
         let most = if crowded {
             shown.len().div_ceil(MOST_MESSAGES)
         } else {
@@ -276,7 +276,7 @@ impl Moves for LinuxCnc<'_> {
         }
     }
 
-    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
+    fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
         let label = self.labels.take();
         let unit = if question.angle {
             1.0
@@ -289,7 +289,7 @@ impl Moves for LinuxCnc<'_> {
             decimal(question.wanted / unit, 12),
         );
         let off = less(&value, &wanted);
-        let writes = self.request.corrects();
+        let writes = self.request.writes_offset();
         let stops = question.stops(writes);
         // The interpreter that draws a program when it is loaded ends each probing move at its target: no result is plausible there.
         let (on_machine, end) = if stops {
@@ -315,7 +315,13 @@ impl Moves for LinuxCnc<'_> {
         w.parts(&["o", &label, " endif"]);
     }
 
-    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+    fn write(
+        &mut self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        number: i32,
+        datum: &OffsetCorrection,
+    ) {
         write_datum(w, self.request, formula, number, datum);
     }
 
@@ -362,7 +368,7 @@ fn less(value: &str, constant: &str) -> String {
 /// The header, and the checks and modes before the first move.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
-    w.header(&does::line(request, does::ONCE));
+    w.header(&write_summary::line(request, write_summary::ONCE));
     w.comment_approach();
     if !request.path.moves.is_empty() {
         w.comment(if request.protected {
@@ -541,8 +547,8 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut
 }
 
 /// A positioning move, straight or in short straight pieces, each watched and checked.
-fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &mut Labels) {
-    let rate = rate(request, place.from, place.step);
+fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: MoveContext<'_>, labels: &mut Labels) {
+    let rate = rate(request, place.from, place.planned);
     each_piece(request, place, |from, to| {
         if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
             w.straight("G1", to, true, rate);
@@ -569,7 +575,15 @@ fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &
 }
 
 /// A plain move.
-fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Step<'_>) {
+fn plain(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    MoveContext {
+        planned: step,
+        from,
+        ..
+    }: MoveContext<'_>,
+) {
     let rate = rate(request, from, step);
     if let (Some(arc), Some(from)) = (&step.arc, from) {
         return w.arc(from, step, arc, rate);
@@ -590,7 +604,7 @@ fn write_datum(
     request: &Request<'_>,
     formula: &Formula,
     n: i32,
-    datum: &Datum,
+    datum: &OffsetCorrection,
 ) {
     let axes = request.plane.axes();
     let name = |variable: Variable| print::variable(&print::Rs274, formula, variable);

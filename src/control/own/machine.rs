@@ -1,11 +1,11 @@
 //! Simulated machine for native cycles. A callback answers each probing move: the nominal part, the actual part or the inputs of a run.
 
 use crate::geom::Vec3;
-use crate::path::{Arc, Feed, Move, Purpose};
+use crate::path::{Arc, Feed, Move, MovePurpose};
 
 /// A contact of the ball on a straight move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Met {
+pub struct BallContact {
     /// Ball centre at the contact.
     pub center: Vec3,
     /// Index of the surface; 0 if that does not matter.
@@ -31,7 +31,7 @@ pub enum Alarm {
 
 /// Kind of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum MoveKind {
     /// Watched positioning: G31 with a comparison.
     Watched,
     /// Rapid, unwatched.
@@ -41,17 +41,17 @@ pub enum Kind {
     /// The second, slow one.
     Measure,
     /// The touch of a cycle that touches once.
-    Once,
+    SingleTouch,
     /// Retract from a touch, at a feed.
-    Back,
+    Retract,
 }
 
 /// A simulated move. For a touch `to` is the end of its search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Made {
-    pub kind: Kind,
+pub struct ExecutedMove {
+    pub kind: MoveKind,
     pub to: Vec3,
-    pub met: Option<Met>,
+    pub met: Option<BallContact>,
     /// Feed, mm/min; `None` is a rapid, or unknown.
     pub rate: Option<f64>,
     /// Arc of the move; `None` is straight.
@@ -67,22 +67,22 @@ pub const IN_POSITION: f64 = 0.05;
 const PIECE: f64 = 3.0;
 
 /// Answers a move of the ball centre between two positions. A touch also gives the expected contact.
-pub type Answers<'w> = &'w mut dyn FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met>;
+pub type ContactSource<'w> = &'w mut dyn FnMut(Vec3, Vec3, Option<Vec3>) -> Option<BallContact>;
 
 /// A machine that runs cycles. Positions are ball centres, mm.
 pub struct Machine<'w> {
-    answers: Answers<'w>,
+    answers: ContactSource<'w>,
     pub at: Vec3,
     /// Calibrated radius of the ball.
     pub radius: f64,
     /// Height of the ball centre above the programmed heights: the ball radius if the length ends at the tip.
     tip: f64,
-    pub made: Vec<Made>,
+    pub made: Vec<ExecutedMove>,
     count: usize,
 }
 
 impl<'w> Machine<'w> {
-    pub fn new(at: Vec3, radius: f64, tip: f64, answers: Answers<'w>) -> Self {
+    pub fn new(at: Vec3, radius: f64, tip: f64, answers: ContactSource<'w>) -> Self {
         Machine {
             answers,
             at,
@@ -93,8 +93,8 @@ impl<'w> Machine<'w> {
         }
     }
 
-    fn push(&mut self, kind: Kind, to: Vec3, met: Option<Met>, rate: Option<f64>) {
-        self.made.push(Made {
+    fn push(&mut self, kind: MoveKind, to: Vec3, met: Option<BallContact>, rate: Option<f64>) {
+        self.made.push(ExecutedMove {
             kind,
             to,
             met,
@@ -113,7 +113,7 @@ impl<'w> Machine<'w> {
     /// A watched move.
     pub fn watched(&mut self, to: Vec3, rate: Option<f64>, alarm: Alarm) -> Result<(), Alarm> {
         let met = (self.answers)(self.at, to, None);
-        self.push(Kind::Watched, to, met, rate);
+        self.push(MoveKind::Watched, to, met, rate);
         // A stop within the zone is no contact, as the macros compare.
         if let Some(met) = met.filter(|met| met.center.distance(to) >= IN_POSITION) {
             self.at = met.center;
@@ -147,13 +147,18 @@ impl<'w> Machine<'w> {
         behind: f64,
     ) -> Result<Vec3, Alarm> {
         let start = self.at;
-        let met = self.touch(contact + towards * behind, contact, Kind::Once, None)?;
-        self.plain(start, Kind::Back, None)?;
+        let met = self.touch(
+            contact + towards * behind,
+            contact,
+            MoveKind::SingleTouch,
+            None,
+        )?;
+        self.plain(start, MoveKind::Retract, None)?;
         Ok(met)
     }
 
     /// An unwatched move.
-    pub fn plain(&mut self, to: Vec3, kind: Kind, rate: Option<f64>) -> Result<(), Alarm> {
+    pub fn plain(&mut self, to: Vec3, kind: MoveKind, rate: Option<f64>) -> Result<(), Alarm> {
         if self.is_at(to) {
             return Ok(());
         }
@@ -176,7 +181,7 @@ impl<'w> Machine<'w> {
         let step = Move {
             to,
             feed: Feed::Rapid,
-            purpose: Purpose::Position,
+            purpose: MovePurpose::Position,
             step: 1,
             arc: Some(arc),
         };
@@ -188,7 +193,7 @@ impl<'w> Machine<'w> {
             }
             from = end;
         }
-        self.push(Kind::Watched, to, met, None);
+        self.push(MoveKind::Watched, to, met, None);
         self.made
             .last_mut()
             .into_iter()
@@ -202,7 +207,7 @@ impl<'w> Machine<'w> {
         &mut self,
         end: Vec3,
         expected: Vec3,
-        kind: Kind,
+        kind: MoveKind,
         rate: Option<f64>,
     ) -> Result<Vec3, Alarm> {
         let start = self.at;

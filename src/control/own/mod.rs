@@ -1,22 +1,22 @@
 //! Native cycles with known paths: their planning, and their simulation on another part.
 
+pub mod executed_path;
 pub mod machine;
-pub mod made;
 
-use self::machine::{Alarm, Made, Met};
-use crate::control::Report;
+use self::machine::{Alarm, BallContact, ExecutedMove};
+use crate::control::ResultOutput;
 use crate::formula::{Limits, Wear};
 use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
-use crate::path::{Feed, Feeds, Own, OwnBlock, Path, Setup, Stored};
+use crate::path::{CallBlock, CallSequence, Feed, Feeds, Path, ProbeSettings, Stored};
 use crate::text::{Text, words};
 
 /// Input for planning native cycles.
 #[derive(Debug)]
-pub struct OwnRequest<'a> {
+pub struct NativeRequest<'a> {
     /// Documented path of the cycle.
     pub path: &'a Path,
-    pub setup: &'a Setup,
+    pub setup: &'a ProbeSettings,
     pub feeds: &'a Feeds,
     /// Millimetres in a unit of the job.
     pub scale: f64,
@@ -27,7 +27,7 @@ pub struct OwnRequest<'a> {
     pub limits: Limits,
     /// For a job that switches the probe: whether on.
     pub switches_on: bool,
-    pub report: Report,
+    pub report: ResultOutput,
     /// Clearance that the probe table adds, mm.
     pub set_up: f64,
     /// Height between the cycles of a set-up, if native cycles make the link moves; else `None`.
@@ -39,21 +39,21 @@ pub struct OwnRequest<'a> {
 }
 
 /// Reasons for refusing a job: code, field, text.
-pub type Refused = Vec<(&'static str, String, Text)>;
+pub type Rejections = Vec<(&'static str, String, Text)>;
 
 /// First contact of the ball centre on a straight move.
-pub type Meets<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<Met>;
+pub type ContactQuery<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<BallContact>;
 
 /// The executed moves with their contacts, and the alarm that ended them, if any.
-pub type Outcome = (Vec<Made>, Option<Alarm>);
+pub type NativeRun = (Vec<ExecutedMove>, Option<Alarm>);
 
 /// Hooks of a control's native cycles: planning, simulation, naming.
 #[derive(Clone, Copy, Debug)]
-pub struct OwnCycles {
+pub struct NativeCycles {
     /// Plans the calls and their path on the nominal part.
-    pub plan: for<'a> fn(&OwnRequest<'a>, Meets<'_>) -> Result<Path, Refused>,
+    pub plan: for<'a> fn(&NativeRequest<'a>, ContactQuery<'_>) -> Result<Path, Rejections>,
     /// Runs the calls on another part.
-    pub rerun: fn(&Own, f64, Meets<'_>) -> Outcome,
+    pub rerun: fn(&CallSequence, f64, ContactQuery<'_>) -> NativeRun,
     /// Whether a program of calls is read back and traced: its own moves before, between and after them.
     pub followed: bool,
     /// Number of a work offset in the calls.
@@ -65,21 +65,21 @@ pub struct OwnCycles {
     /// Whether they can correct a tool offset from a measured size.
     pub corrects_tools: bool,
     /// Linking of several cycles in one program.
-    pub several: Several,
+    pub several: CycleLinking,
 }
 
 /// Blocks of a program between two of several cycles.
 #[derive(Clone, Copy, Debug)]
-pub struct Several {
+pub struct CycleLinking {
     /// Block of a link move between two cycles: to a position, along these axes, for a ball of this radius, at a feed with this rate (mm/min).
-    pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> OwnBlock,
+    pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> CallBlock,
     /// Whether each cycle moves to the next one at its clearance height, so that the program needs no block for the link move.
-    pub comes_itself: bool,
+    pub links_itself: bool,
     /// First and last of the variables that save results before the next cycle overwrites them.
-    pub kept: (usize, usize),
+    pub saved_variables: (usize, usize),
 }
 
-impl OwnRequest<'_> {
+impl NativeRequest<'_> {
     /// Advice if its native cycles do not support a job.
     pub fn advice(&self) -> Text {
         Text::words(if self.takes_moves {
@@ -116,6 +116,6 @@ pub fn direction_at(degrees: f64) -> Vec3 {
 }
 
 /// Refuses a job: code, field, words.
-pub fn refused(code: &'static str, field: &str, message: Text) -> Refused {
+pub fn refused(code: &'static str, field: &str, message: Text) -> Rejections {
     vec![(code, field.to_owned(), message)]
 }

@@ -1,7 +1,7 @@
 //! Moves of each macro, from its arguments and the stylus position: behaviour of the macros, version 3.14 for Haas NGC [S]; their feeds and the back-off
 //! between the two touches are settings of an installation [I: those of that edition].
 
-use crate::control::own::machine::{Alarm, Kind, Machine};
+use crate::control::own::machine::{Alarm, Machine, MoveKind};
 use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
@@ -54,10 +54,10 @@ impl Machine<'_> {
         }
         let along = way.normalize();
         let (end, expected) = (place + along * q, place - along * before);
-        let first = self.touch(end, expected, Kind::Search, Some(SEARCH))?;
-        self.plain(first - along * BACK_OFF, Kind::Back, Some(FAST))?;
-        let contact = self.touch(end, expected, Kind::Measure, Some(MEASURE))?;
-        self.plain(start, Kind::Back, Some(FAST))?;
+        let first = self.touch(end, expected, MoveKind::Search, Some(SEARCH))?;
+        self.plain(first - along * BACK_OFF, MoveKind::Retract, Some(FAST))?;
+        let contact = self.touch(end, expected, MoveKind::Measure, Some(MEASURE))?;
+        self.plain(start, MoveKind::Retract, Some(FAST))?;
         Ok(contact)
     }
 }
@@ -68,7 +68,7 @@ struct Call<'l> {
 }
 
 /// First angle at which 9822 touches; the order changes at A = 90.
-pub fn first_side(a: f64, outside: bool) -> f64 {
+pub fn first_probe_angle(a: f64, outside: bool) -> f64 {
     let inside = if a < 90.0 { a + 90.0 } else { a - 90.0 };
     if outside { inside + 180.0 } else { inside }
 }
@@ -83,7 +83,7 @@ impl Call<'_> {
     }
 
     /// Z and R of a macro that goes down beside the feature: height of the ball centre, and clearance from its surface.
-    fn beside(&self, m: &Machine<'_>) -> Option<(f64, f64)> {
+    fn depth_and_clearance(&self, m: &Machine<'_>) -> Option<(f64, f64)> {
         Some((m.height(self.get('Z')?), self.get('R').unwrap_or(R)))
     }
 
@@ -120,7 +120,7 @@ impl Call<'_> {
                 (place[axis], place.z) = (start[axis] + off, height);
                 place
             },
-            self.beside(m),
+            self.depth_and_clearance(m),
         );
         let mut sum = 0.0;
         for side in [-1.0, 1.0] {
@@ -133,13 +133,13 @@ impl Call<'_> {
             let height = m.at.z;
             sum += m.measure(at(side * size / 2.0, height), self.q, m.radius)?[axis];
             let up = Vec3::new(m.at.x, m.at.y, start.z);
-            m.plain(up, Kind::Rapid, None)?;
+            m.plain(up, MoveKind::Rapid, None)?;
             // After the first side straight back over the middle, after the second at the very end.
             if side < 0.0 {
-                m.plain(start, Kind::Rapid, None)?;
+                m.plain(start, MoveKind::Rapid, None)?;
             }
         }
-        m.plain(start, Kind::Rapid, None)?;
+        m.plain(start, MoveKind::Rapid, None)?;
         Ok(sum / 2.0)
     }
 
@@ -156,9 +156,9 @@ impl Call<'_> {
     fn round(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (size, start) = (self.need('D')?, m.at);
         let middle = self.along(m, 1, size)?;
-        m.plain(Vec3::new(start.x, middle, start.z), Kind::Rapid, None)?;
+        m.plain(Vec3::new(start.x, middle, start.z), MoveKind::Rapid, None)?;
         self.along(m, 0, size)?;
-        m.plain(start, Kind::Rapid, None)
+        m.plain(start, MoveKind::Rapid, None)
     }
 
     /// First touch of a wall at the start, or at `first`; with a step a second one, away from the corner.
@@ -186,7 +186,7 @@ impl Call<'_> {
             m.watched(at, Some(FAST), Alarm::Unexpected)?;
             touch(m)?;
         }
-        m.plain(start, Kind::Back, Some(FAST))
+        m.plain(start, MoveKind::Retract, Some(FAST))
     }
 
     fn corner(&self, m: &mut Machine<'_>, outside: bool) -> Result<(), Alarm> {
@@ -219,7 +219,7 @@ impl Call<'_> {
     fn side(&self, m: &mut Machine<'_>, a: f64, size: f64) -> Result<(), Alarm> {
         let start = m.at;
         let (mut towards, mut way, mut before) = (direction_at(a), size / 2.0, m.radius);
-        if let Some((height, clearance)) = self.beside(m) {
+        if let Some((height, clearance)) = self.depth_and_clearance(m) {
             let radius = if clearance < 0.0 { -m.radius } else { m.radius };
             let aside = start + towards * (size / 2.0 + radius + clearance);
             m.watched(aside, Some(FAST), Alarm::Unexpected)?;
@@ -230,14 +230,14 @@ impl Call<'_> {
             }
         }
         m.measure(m.at + towards * way, self.q, before)?;
-        m.plain(m.at.with_z(start.z), Kind::Back, Some(FAST))?;
-        m.plain(start, Kind::Back, Some(FAST))
+        m.plain(m.at.with_z(start.z), MoveKind::Retract, Some(FAST))?;
+        m.plain(start, MoveKind::Retract, Some(FAST))
     }
 
     fn turned_width(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (a, size) = (self.need('A')?, self.need('D')?);
         let outside = self.get('Z').is_some() && self.get('R').is_none_or(|r| r >= 0.0);
-        let first = first_side(a, outside);
+        let first = first_probe_angle(a, outside);
         self.side(m, first, size)?;
         self.side(m, first + 180.0, size)
     }
@@ -272,14 +272,14 @@ impl Call<'_> {
             surface[axis] = place + off[axis];
             m.measure(surface, self.q, m.radius)?;
         }
-        m.plain(start, Kind::Rapid, None)
+        m.plain(start, MoveKind::Rapid, None)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::own::machine::Met;
+    use crate::control::own::machine::BallContact;
 
     /// Moves of a call with given contacts, by hand: kind, position, contact.
     fn made(
@@ -289,7 +289,7 @@ mod tests {
         mut answers: impl FnMut(Vec3, Vec3) -> Option<Vec3>,
     ) -> Vec<String> {
         let mut meets = |from, to, _: Option<Vec3>| {
-            answers(from, to).map(|center| Met {
+            answers(from, to).map(|center| BallContact {
                 center,
                 surface: 0,
                 edge: false,
@@ -302,7 +302,7 @@ mod tests {
                 .map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0))
                 .join(" ")
         };
-        let row = |made: &crate::control::own::machine::Made| {
+        let row = |made: &crate::control::own::machine::ExecutedMove| {
             let contact = made
                 .met
                 .map_or_else(String::new, |met| format!(" at {}", place(met.center)));
@@ -497,13 +497,13 @@ mod tests {
     fn the_order_of_a_turned_width_changes_at_90() {
         assert_eq!(
             [
-                first_side(30.0, false),
-                first_side(89.999, false),
-                first_side(90.0, false)
+                first_probe_angle(30.0, false),
+                first_probe_angle(89.999, false),
+                first_probe_angle(90.0, false)
             ],
             [120.0, 179.999, 0.0]
         );
-        assert_eq!(first_side(30.0, true), 300.0);
+        assert_eq!(first_probe_angle(30.0, true), 300.0);
         let rows = made(
             9822,
             &[('A', 0.0), ('D', 10.0), ('Q', 2.0)],

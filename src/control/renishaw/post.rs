@@ -6,12 +6,12 @@
 
 use crate::control::iso::writer::Writer;
 use crate::control::{
-    Program, Report, Request, check_orientation, check_plain_moves, check_rotary, check_write,
-    does, number, offsets, orientation_line, rotation_field,
+    Program, Request, ResultOutput, check_orientation, check_plain_moves, check_rotary,
+    check_write, number, offsets, orientation_line, rotation_field, write_summary,
 };
 use crate::form::Checker;
 use crate::num::decimal;
-use crate::path::{Off, Own, OwnBlock, Quantity, STATED_RAPID, Stored};
+use crate::path::{CallBlock, CallSequence, Off, Quantity, STATED_RAPID, Stored};
 use crate::text::text;
 
 /// Notation of macro calls on a control.
@@ -84,16 +84,18 @@ const LENGTH: u32 = 9801;
 const BY_DIRECTIONS: [u32; 3] = [9821, 9822, 9823];
 
 /// Numbers of the macros that a program calls.
-fn called(own: &Own) -> impl Iterator<Item = u32> {
+fn called(own: &CallSequence) -> impl Iterator<Item = u32> {
     own.blocks.iter().filter_map(|(block, _)| match block {
-        OwnBlock::Call(number, _) => Some(*number),
-        OwnBlock::Cycle(..) | OwnBlock::Goes(..) | OwnBlock::Keep(..) => None,
+        CallBlock::Call(number, _) => Some(*number),
+        CallBlock::Cycle(..) | CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => None,
     })
 }
 
 /// Reports requirements and effects of the macros in this program.
 pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &mut Checker) {
-    let Some(own) = &request.path.own else { return };
+    let Some(own) = &request.path.calls else {
+        return;
+    };
     let message = text!(
         "The program calls Renishaw's macros, which must be installed and calibrated: they choose touches, order and feeds. Nothing of it was run on a control: keep a hand on feed hold. Without a part it ends at the first touch"
     );
@@ -119,7 +121,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
         checker.info("limit-stops", "limits", message);
     }
     // Each cycle of a set-up reports it for itself.
-    if request.path.members.is_empty() && own.blocks.iter().any(|(block, _)| block.writes()) {
+    if request.path.cycles.is_empty() && own.blocks.iter().any(|(block, _)| block.writes()) {
         check_asked(request, own, checker);
     }
     check_plain_moves(request, checker);
@@ -145,7 +147,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
 }
 
 /// Reports limits that a program does not check before it writes.
-fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
+fn check_asked(request: &Request<'_>, own: &CallSequence, checker: &mut Checker) {
     let path = request.path;
     let of_walls = own.guards.iter().any(|guard| guard.off == Off::BothWalls);
     if of_walls {
@@ -158,7 +160,7 @@ fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
     // A limit of the walls also limits the angle between them.
     let questions = path
         .formula
-        .questions(&request.limits)
+        .result_checks(&request.limits)
         .into_iter()
         .filter(|question| !(of_walls && question.angle));
     let results = questions
@@ -176,7 +178,7 @@ fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
 
 pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program {
     let mut w = Writer::new(request);
-    let Some(own) = &request.path.own else {
+    let Some(own) = &request.path.calls else {
         return w.finish();
     };
     begin(request, own, calls, &mut w);
@@ -192,7 +194,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
             made += moves;
         }
         match block {
-            OwnBlock::Call(number, letters) => {
+            CallBlock::Call(number, letters) => {
                 for _ in 0..*moves {
                     // A protected move belongs to the program, the rest to the macro.
                     if *number == 9810 {
@@ -207,8 +209,8 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
                     .collect();
                 w.line(&call(calls, *number, &words));
             }
-            OwnBlock::Cycle(..) | OwnBlock::Goes(..) => {}
-            OwnBlock::Keep(kept, output) => {
+            CallBlock::Cycle(..) | CallBlock::MoveTo(..) => {}
+            CallBlock::SaveResult(kept, output) => {
                 let Some(cycles) = request.post.own else {
                     continue;
                 };
@@ -222,7 +224,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
         w.line(&call(calls, OFF, &[]));
     }
     let names = results(request);
-    if probes && request.report == Report::Screen && !names.is_empty() {
+    if probes && request.report == ResultOutput::Screen && !names.is_empty() {
         w.comment(&format!("Read the results now: {}", names.join(", ")));
         w.line("M0");
     }
@@ -257,7 +259,7 @@ fn call(calls: &Calls, number: u32, words: &[(char, String)]) -> String {
 
 /// Orients the spindle to the angle of the job.
 fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
-    if let Some(angle) = request.orients() {
+    if let Some(angle) = request.orients_spindle() {
         let point = if request.post.dialect.points && angle.fract() == 0.0 {
             "."
         } else {
@@ -271,7 +273,7 @@ fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
 }
 
 /// The position of the stylus is unknown: in the plane first, at the current height, then down.
-fn approach(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
+fn approach(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Writer<'_>) {
     if calls.switches {
         w.line(&call(calls, ON, &[]));
         // The macro orients the spindle itself, to the angle set in the control.
@@ -303,7 +305,7 @@ fn word(w: &Writer<'_>, quantity: Quantity) -> String {
     }
 }
 
-fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
+fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Writer<'_>) {
     let numbered = !request.post.unused.contains(&"number");
     if let Some(tape) = calls.tape {
         w.line(tape);
@@ -311,7 +313,10 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     if numbered {
         w.line(&number::line(request));
     }
-    w.header(&does::line(request, ": by the macro that measures it"));
+    w.header(&write_summary::line(
+        request,
+        ": by the macro that measures it",
+    ));
     if numbered && number::chosen(request).is_none() {
         w.comment("No number was chosen: this may replace a program O1000 of the control");
     }
@@ -353,7 +358,7 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
         "Before the start: probe in the spindle, {} active, the stylus above {z}: it goes there in the plane first",
         calls.length
     ));
-    match request.orients() {
+    match request.orients_spindle() {
         None if calls.switches => w.comment(&format!(
             "{} may turn the spindle by M19, as one edition of it does: the probe must be calibrated at that angle",
             calls.name(ON)

@@ -14,8 +14,8 @@
 //! `SETAL(65000)`.
 
 pub mod cycles;
+mod plan_calls;
 mod read;
-mod serve;
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -25,16 +25,16 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards,
 };
-use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
+use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
 use crate::control::{
-    BASE, FROM_THE_TOP, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary,
-    check_watched, check_write, does, feed_rate, orientation_line,
+    BASE, FROM_THE_TOP, PostDef, Program, ProgramForm, Request, ResultOutput, check_plain_moves,
+    check_rotary, check_watched, check_write, feed_rate, orientation_line, write_summary,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
+use crate::formula::{Coordinate, Formula, OffsetCorrection, ResultCheck, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{decimal, format_count, push_count};
-use crate::path::{Feed, Move, STATED_RAPID, Subject, Term, Touch};
+use crate::path::{FeatureKind, Feed, Move, STATED_RAPID, ShiftTerm, Touch};
 use crate::text::text;
 
 pub static DEF: PostDef = PostDef {
@@ -58,7 +58,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
-    own: Some(&serve::CYCLES),
+    own: Some(&plan_calls::CYCLES),
     ..BASE
 };
 
@@ -84,23 +84,23 @@ const MEASURED: [usize; 2] = [4, 5];
 const NOMINAL: [usize; 2] = [6, 7];
 const CHANGES: [usize; 4] = [8, 9, 10, 11];
 
-fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
-        (_, Form::Moves) => Ok(()),
+        (_, ProgramForm::Moves) => Ok(()),
         (
-            Subject::CornerInside
-            | Subject::CornerOutside
-            | Subject::TripleInside
-            | Subject::TripleOutside,
+            FeatureKind::CornerInside
+            | FeatureKind::CornerOutside
+            | FeatureKind::TripleInside
+            | FeatureKind::TripleOutside,
             _,
         ) => Err(
             "its corner cycle is CYCLE961, and no source we have proves the order of its arguments: a wrong one would move the probe elsewhere",
         ),
-        (Subject::Wall, _) => {
+        (FeatureKind::Wall, _) => {
             Err("its cycle for the angle of a wall, CYCLE998, is read and not written")
         }
-        (Subject::TwoCircles, _) => Err("it has no cycle of its own for two circles"),
-        (Subject::Switch | Subject::Action, _) => Err("it has no measuring cycle for it"),
+        (FeatureKind::TwoCircles, _) => Err("it has no cycle of its own for two circles"),
+        (FeatureKind::Switch | FeatureKind::Action, _) => Err("it has no measuring cycle for it"),
         _ => Ok(()),
     }
 }
@@ -112,7 +112,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.info("not-verified", "control.post", unverified);
     if request
         .path
-        .own
+        .calls
         .as_ref()
         .is_some_and(|own| !own.guards.is_empty())
     {
@@ -122,7 +122,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.info("limit-stops", "limits.position", message);
     }
     // A measuring cycle has its own rapids.
-    let own = request.path.own.is_some();
+    let own = request.path.calls.is_some();
     let rapid = |m: &Move| request.feeds.rate(m.feed).is_none() && !(own && m.feed == Feed::Rapid);
     if request.protected && request.path.moves.iter().any(rapid) {
         let message = text!(
@@ -132,8 +132,8 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.info("rapid-at-feed", "feeds", message);
     }
     check_watched(request, checker);
-    if request.form == Form::Cycle {
-        return serve::check(request, checker);
+    if request.form == ProgramForm::Cycle {
+        return plan_calls::check(request, checker);
     }
     check_plain_moves(request, checker);
     check_rotary(
@@ -157,11 +157,15 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// Number of registers for the write of the frame.
 fn frame_registers(request: &Request<'_>) -> usize {
-    if request.corrects() { CHANGES[3] } else { 0 }
+    if request.writes_offset() {
+        CHANGES[3]
+    } else {
+        0
+    }
 }
 
 /// Changed parts of the frame: abscissa, ordinate, tool axis, rotation.
-fn changes(datum: &Datum) -> [bool; 4] {
+fn changes(datum: &OffsetCorrection) -> [bool; 4] {
     let plane = datum.place[0].is_some() && datum.place[1].is_some();
     [
         plane,
@@ -201,7 +205,7 @@ struct Sinumerik<'a> {
 impl Sinumerik<'_> {
     /// Register that counts the touches, if the program writes.
     fn count(&self) -> Option<usize> {
-        let writes = self.request.form == Form::Moves && self.request.corrects();
+        let writes = self.request.form == ProgramForm::Moves && self.request.writes_offset();
         writes.then_some(self.registers.last + TOUCHES)
     }
 
@@ -225,16 +229,16 @@ impl Sinumerik<'_> {
 
 impl Moves for Sinumerik<'_> {
     fn own_cycles(&self) -> Vec<Range<usize>> {
-        serve::ranges(self.request)
+        plan_calls::ranges(self.request)
     }
 
     fn call(&self, which: usize, w: &mut Writer<'_>) {
-        serve::call(self.request, which, w);
+        plan_calls::call(self.request, which, w);
     }
 
     fn begin(&mut self, w: &mut Writer<'_>) {
-        if self.request.form == Form::Cycle {
-            let notes = serve::notes(self.request);
+        if self.request.form == ProgramForm::Cycle {
+            let notes = plan_calls::notes(self.request);
             let notes: Vec<&str> = notes.iter().map(String::as_str).collect();
             return begin(
                 w,
@@ -252,7 +256,7 @@ impl Moves for Sinumerik<'_> {
             |n| format!("R{n}"),
         );
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
-        begin(w, self.request, does::ONCE, &notes);
+        begin(w, self.request, write_summary::ONCE, &notes);
         if let Some(count) = self.count() {
             w.line(&format!("R{count}=0"));
         }
@@ -275,16 +279,16 @@ impl Moves for Sinumerik<'_> {
         self.unwatched = !self.request.protected;
     }
 
-    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn position(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         names_move(w, step.index);
-        if self.request.protected && self.request.form == Form::Moves {
+        if self.request.protected && self.request.form == ProgramForm::Moves {
             self.ask_probe(w);
         }
         position(w, self.request, step);
         self.unwatched = !self.request.protected;
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>, touch: &Touch) {
         names_move(w, step.index);
         self.ask_probe(w);
         // Counted before the touch: a program that is started after it counts one too few.
@@ -297,7 +301,7 @@ impl Moves for Sinumerik<'_> {
         let word = format!("MEAS={input} G1");
         w.straight_in_full(
             &word,
-            step.step.to - touch.vector * touch.search,
+            step.planned.to - touch.vector * touch.search,
             self.request.feeds.work,
         );
         w.line("STOPRE");
@@ -315,17 +319,17 @@ impl Moves for Sinumerik<'_> {
         true
     }
 
-    fn shift(&self, formula: &Formula, terms: &[Term], scale: f64) -> String {
+    fn shift(&self, formula: &Formula, terms: &[ShiftTerm], scale: f64) -> String {
         print::shift(&self.notation(), formula, terms, scale)
     }
 
-    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+    fn retract(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
         w.makes_move();
         w.straight(
             "G1",
-            step.step.to,
+            step.planned.to,
             false,
-            Some(rate_of(self.request, step.step)),
+            Some(rate_of(self.request, step.planned)),
         );
         self.unwatched = true;
     }
@@ -353,7 +357,7 @@ impl Moves for Sinumerik<'_> {
         }
     }
 
-    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
+    fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
         self.asked += 1;
         let unit = if question.angle {
             1.0
@@ -374,7 +378,7 @@ impl Moves for Sinumerik<'_> {
         w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
         let code = formula.code(&formula.results[question.result]);
         let says = format!("{code} is \"<<{value}<<\"{}", question.complaint(unit));
-        let writes = self.request.corrects();
+        let writes = self.request.writes_offset();
         if question.stops(writes) {
             w.line(&format!(
                 "MSG(\"{says}{}\")",
@@ -383,14 +387,20 @@ impl Moves for Sinumerik<'_> {
             w.line("GOTOF TP_STOP");
         } else {
             w.line(&format!("MSG(\"{says}\")"));
-            if self.request.report == Report::Screen {
+            if self.request.report == ResultOutput::Screen {
                 w.line("M0");
             }
         }
         w.line(&format!("{label}:"));
     }
 
-    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+    fn write(
+        &mut self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        number: i32,
+        datum: &OffsetCorrection,
+    ) {
         write_datum(w, self.request, formula, self.registers, number, datum);
     }
 
@@ -409,12 +419,12 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
-        if self.request.form == Form::Cycle {
+        if self.request.form == ProgramForm::Cycle {
             let stored = self.request.path.stored().into_iter();
             report(
                 w,
                 self.request,
-                stored.map(|(code, stored)| (code.into(), (serve::CYCLES.name)(stored))),
+                stored.map(|(code, stored)| (code.into(), (plan_calls::CYCLES.name)(stored))),
             );
         }
         end(w, self.request, self.count());
@@ -434,15 +444,15 @@ fn report<'f>(
     each: impl Iterator<Item = (Cow<'f, str>, String)>,
 ) {
     match request.report {
-        Report::None => {}
-        Report::Log => {
+        ResultOutput::None => {}
+        ResultOutput::Log => {
             for (code, variable) in each {
                 w.line(&format!(
                     "WRITE(TP_ERROR,\"_N_TOUCHPATH_MPF\",\"; {code}=\"<<{variable})"
                 ));
             }
         }
-        Report::Screen => {
+        ResultOutput::Screen => {
             let (mut message, mut length) = (String::new(), 0);
             let show = |w: &mut Writer<'_>, message: &mut String| {
                 if !message.is_empty() {
@@ -469,21 +479,21 @@ fn report<'f>(
 
 /// Checks before the first move: nothing has moved if one of them fails.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
-    w.header(&does::line(request, written));
+    w.header(&write_summary::line(request, written));
     w.comment_approach();
     w.comment("Not verified on a control: run it with a hand on the feed override");
     let input = request.probe_input;
     w.comment(&match (request.protected, request.form) {
-        (true, Form::Moves) => format!(
+        (true, ProgramForm::Moves) => format!(
             "Watched moves are MEAS={input} G1 with a check; touches the same, the other way round"
         ),
-        (true, Form::Cycle) => {
+        (true, ProgramForm::Cycle) => {
             format!("Watched moves are MEAS={input} G1 with a check; the cycle touches by itself")
         }
-        (false, Form::Moves) => {
+        (false, ProgramForm::Moves) => {
             format!("Touches are MEAS={input} G1 with a check. Positioning is NOT watched")
         }
-        (false, Form::Cycle) => {
+        (false, ProgramForm::Cycle) => {
             "The cycle touches by itself. Positioning is NOT watched".to_owned()
         }
     });
@@ -491,12 +501,12 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         w.comment(note);
     }
     w.comment(&orientation_line(request));
-    if request.form == Form::Moves && request.corrects() {
+    if request.form == ProgramForm::Moves && request.writes_offset() {
         w.comment(FROM_THE_TOP);
     }
     w.says_job();
     w.line("DEF INT TP_MOVE");
-    if request.report == Report::Log {
+    if request.report == ResultOutput::Log {
         w.line("DEF INT TP_ERROR");
     }
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
@@ -539,7 +549,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     w.line("TRANS");
     w.line(&(DEF.work_offset_word)(n));
     let offset = format!("$P_UIFR[{n},");
-    if request.form == Form::Cycle {
+    if request.form == ProgramForm::Cycle {
         w.comment(
             "The cycle corrects the coarse part of the work offset: it must have no fine part",
         );
@@ -567,16 +577,16 @@ fn names_move(w: &mut Writer<'_>, index: usize) {
 }
 
 /// A positioning move, straight or in short straight pieces, each watched and checked; or unwatched where it need not be.
-fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
-    if start_unknown(request, place.index, place.step) {
-        return approach(w, request, place.step);
+fn position(w: &mut Writer<'_>, request: &Request<'_>, place: MoveContext<'_>) {
+    if start_unknown(request, place.index, place.planned) {
+        return approach(w, request, place.planned);
     }
-    if upwards(request, place.from, place.step.to) > 0
-        && serve::starts_off_centre(request, place.index)
+    if upwards(request, place.from, place.planned.to) > 0
+        && plan_calls::starts_off_centre(request, place.index)
     {
         // Out of a bore the move is straight up.
-        let up = w.goes_along_tool(place.step.to);
-        approach_block(w, request, place.step, &up, "TP_BLOCKED");
+        let up = w.goes_along_tool(place.planned.to);
+        approach_block(w, request, place.planned, &up, "TP_BLOCKED");
     }
     w.makes_move();
     each_piece(request, place, |from, to| {
@@ -591,11 +601,11 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
                 &format!("MEAS={} G1", request.probe_input),
                 to,
                 false,
-                Some(rate_of(request, place.step)),
+                Some(rate_of(request, place.planned)),
             );
             must_be_free(w, request, exit);
         } else {
-            let rate = feed_rate(request, from, place.step);
+            let rate = feed_rate(request, from, place.planned);
             w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
         }
     });
@@ -667,7 +677,7 @@ fn write_datum(
     formula: &Formula,
     registers: &Registers,
     n: i32,
-    datum: &Datum,
+    datum: &OffsetCorrection,
 ) {
     let notation = RParameters { registers };
     let name = |variable: Variable| print::variable(&notation, formula, variable);
@@ -744,11 +754,11 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     let tool = request.plane.axes()[2];
     // A native cycle may have written before the last lift.
     let written = match (request.form, request.work_offset) {
-        (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
+        (ProgramForm::Cycle, Some(_)) => "The cycle may have corrected the work offset",
         _ => "Nothing is written",
     };
     // Reasons for a jump to an exit that lifts: a watched move, or a touch.
-    let touches = request.form == Form::Moves;
+    let touches = request.form == ProgramForm::Moves;
     if let Some(first) = request
         .path
         .moves
@@ -823,10 +833,10 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     }
     let frame = match (request.work_offset, request.form) {
         (None, _) => "A programmed turn, mirror or scale is active. Nothing has moved",
-        (Some(_), Form::Moves) => {
+        (Some(_), ProgramForm::Moves) => {
             "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
         }
-        (Some(_), Form::Cycle) => {
+        (Some(_), ProgramForm::Cycle) => {
             "The work offset has a fine part, which the cycle does not correct. Nothing has moved"
         }
     };

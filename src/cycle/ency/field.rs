@@ -1,6 +1,6 @@
 //! Fields that several cycles of the family share.
 
-use crate::form::{Code, Field, Seen, form};
+use crate::form::{BestView, Code, Field, form};
 use crate::text::words;
 
 /// Smallest size, step or clearance, mm: a smaller one would disappear in the last decimals of a program.
@@ -10,7 +10,7 @@ const SMALLEST: f64 = 0.001;
 pub const fn origin(label: &'static str) -> Field {
     Field::point("origin", label)
         .group("Place")
-        .seen(Seen::Placed)
+        .seen(BestView::Position)
 }
 
 /// Position of a feature with a top side.
@@ -23,7 +23,7 @@ pub const fn rotation() -> Field {
     Field::angle("rotation", "Rotation", 0.0)
         .help("How the feature is turned about the tool axis; counter-clockwise positive.")
         .group("Place")
-        .seen(Seen::Turning)
+        .seen(BestView::Rotation)
 }
 
 /// A width between two touch points.
@@ -59,7 +59,7 @@ pub const fn depth() -> Field {
         .usual(0.5, 200.0)
         .code("CmdPrm.Flt[-51]")
         .group("Size")
-        .seen(Seen::Upright)
+        .seen(BestView::Height)
 }
 
 /// Height above the top side at which the ball crosses.
@@ -70,7 +70,7 @@ pub const fn top_clearance() -> Field {
         .usual(1.0, 200.0)
         .code("CmdPrm.Flt[-55]")
         .group("Clearances")
-        .seen(Seen::Upright)
+        .seen(BestView::Height)
 }
 
 /// Height above the top side from which the ball enters, if it enters from above.
@@ -82,7 +82,7 @@ pub const fn entry_clearance() -> Field {
         .null_means("not checked")
         .code("CmdPrm.Flt[-55]")
         .group("Clearances")
-        .seen(Seen::Upright)
+        .seen(BestView::Height)
 }
 
 /// A clearance from a wall to the ball centre where a touch begins.
@@ -107,7 +107,7 @@ pub const fn feed_distance() -> Field {
         .usual(1.0, 500.0)
         .code("CmdPrm.Flt[-50]")
         .group("Clearances")
-        .seen(Seen::Upright)
+        .seen(BestView::Height)
 }
 
 /// Whether the points of the table are ball centres.
@@ -185,7 +185,7 @@ pub const fn start_angle() -> Field {
         .code("CmdPrm.Flt[-60]")
         .only_with("variant", ANGULAR)
         .group("Touches")
-        .seen(Seen::Turning)
+        .seen(BestView::Rotation)
 }
 
 /// Angle from touch to touch in the angular variant.
@@ -195,7 +195,7 @@ pub const fn angular_step() -> Field {
         .code("CmdPrm.Flt[-61]")
         .only_with("variant", ANGULAR)
         .group("Touches")
-        .seen(Seen::Turning)
+        .seen(BestView::Rotation)
 }
 
 /// Number of touches in the angular variant.

@@ -4,7 +4,7 @@ use crate::cycle::ency::{
     Circle, Corner, CornerAngle, Dimensions, Outside, Pairs, Point, Shape, Side, Triple,
     TwoTouches, Variant, field,
 };
-use crate::form::{Field, Seen, form};
+use crate::form::{BestView, Field, form};
 use crate::geom::Vec3;
 
 form! {
@@ -279,7 +279,7 @@ form! {
         /// From the wall to the ball centre where the left and the right touch begin.
         side_clearance: f64 = field::clearance("sideClearance", "Side clearance", 8.0, "CmdPrm.Flt[-56]"),
         /// From the top side to the ball centre where the middle touch begins, and where the ball crosses.
-        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]").seen(Seen::Upright),
+        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]").seen(BestView::Height),
         feed_distance: f64 = field::feed_distance(),
         compensate_dimensions: bool = field::compensate(),
         sub_code: i32 = field::sub_code(),
@@ -489,7 +489,7 @@ form! {
         /// From wall 2 to the ball centre where its touch begins.
         clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
         /// From the top side to the ball centre where its touch begins, and where the ball crosses.
-        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]").seen(Seen::Upright),
+        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]").seen(BestView::Height),
         /// From the corner along wall 1 to its touch.
         distance1: f64 = field::distance("distance1", "Distance 1", 15.0),
         /// From the corner along wall 2 to its touch.

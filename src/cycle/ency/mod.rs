@@ -17,21 +17,21 @@ pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
 pub use picked_touches::{LONGEST_VECTOR, POINT, Pick, Placement};
 pub use shape::{
-    Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, TwoTouches,
-    Variant,
+    Circle, Corner, CornerAngle, Outside, Pairs, PlacedShape, Point, Shape, Side, Triple,
+    TwoTouches, Variant,
 };
 use table::table;
 pub use table::{CODE_GROUPS, code_of, only_angular};
 
 use custom::Custom;
-use shape::Seated;
+use shape::TouchLayout;
 
 use crate::cycle::{Cycle, CycleDef, REPEAT};
-use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
+use crate::form::{Checker, Field, Kind, PlainValue, Section, SubForm, Values};
 use crate::formula::Formula;
 use crate::geom::{Plane, Vec3};
 use crate::path::{
-    DatumSource, ONE_LEVEL, Parameter, Path, Setup, Subject, Surface, Touch, Tracer,
+    DatumSource, FeatureKind, ONE_LEVEL, Parameter, Path, ProbeSettings, Surface, Touch, Tracer,
 };
 use crate::text::text;
 
@@ -49,19 +49,19 @@ const FEED_DISTANCE: &str = "cycle.feedDistance";
 pub const BASE: CycleDef = CycleDef {
     key: "",
     title: "",
-    says: "",
-    also: "",
+    summary: "",
+    search_words: "",
     name: "",
     source: "",
-    probes: Subject::Action,
+    probes: FeatureKind::Action,
     own_feeds: false,
     number: None,
     most_touches: 0,
     fields: &[],
     sections: &[PROPERTIES, REPEAT],
-    home: ("linuxcnc", "moves"),
+    default_control: ("linuxcnc", "moves"),
     steps: &[],
-    readings: &[],
+    interpretations: &[],
     place: None,
     read: |def, section| read(def, section, "", |_| Dimensions::default()),
 };
@@ -70,8 +70,8 @@ pub const BASE: CycleDef = CycleDef {
 #[derive(Clone, Default)]
 pub struct Dimensions {
     /// Each field with its value, for the parameter table.
-    values: Vec<(&'static Field, Shown)>,
-    placed: Placed,
+    values: Vec<(&'static Field, PlainValue)>,
+    placed: PlacedShape,
     /// Height above the start at which the path begins and ends, mm.
     feed_distance: f64,
 }
@@ -86,7 +86,7 @@ impl Dimensions {
     ) -> Self {
         Dimensions {
             values: form.values(),
-            placed: Placed {
+            placed: PlacedShape {
                 origin,
                 rotation,
                 shape,
@@ -198,7 +198,7 @@ pub fn place(
 
 impl Ency {
     /// The shape at the position that the picks give.
-    fn placed(&self, plane: Plane) -> Placed {
+    fn placed(&self, plane: Plane) -> PlacedShape {
         let placed = &self.form.placed;
         self.picks
             .as_ref()
@@ -206,7 +206,7 @@ impl Ency {
     }
 
     /// The shape with its touches: nominal, or with the sizes of the actual part.
-    fn seat<'s>(&self, setup: &'s Setup) -> (Shape, Seated<'s>) {
+    fn seat<'s>(&self, setup: &'s ProbeSettings) -> (Shape, TouchLayout<'s>) {
         let nominal = self.placed(setup.plane);
         let frame = nominal.frame(setup.plane);
         let before = self
@@ -236,7 +236,7 @@ impl Ency {
             .collect();
         (
             shape,
-            Seated {
+            TouchLayout {
                 frame,
                 touches,
                 setup,
@@ -276,7 +276,7 @@ impl Ency {
 }
 
 impl Cycle for Ency {
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         let shape = &self.form.placed.shape;
         let Some(picks) = &self.picks else {
             return shape.rules(setup, checker);
@@ -296,10 +296,10 @@ impl Cycle for Ency {
         }
     }
 
-    fn plan(&self, setup: &Setup) -> Path {
+    fn plan(&self, setup: &ProbeSettings) -> Path {
         let (shape, on) = self.seat(setup);
         let mut tracer = Tracer::new(setup);
-        shape.walk(&on, &mut tracer);
+        shape.plan_steps(&on, &mut tracer);
         Path {
             moves: tracer.moves(),
             start: None,
@@ -310,22 +310,22 @@ impl Cycle for Ency {
             formula: shape.formula(&on),
             feature: shape.feature(),
             picked: self.picks.is_some(),
-            own: None,
-            members: Vec::new(),
+            calls: None,
+            cycles: Vec::new(),
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
-            lift: Some(FEED_DISTANCE),
+            lift_field: Some(FEED_DISTANCE),
             touches: on.touches,
         }
     }
 
-    fn formula(&self, setup: &Setup) -> Formula {
+    fn formula(&self, setup: &ProbeSettings) -> Formula {
         let (shape, on) = self.seat(setup);
         shape.formula(&on)
     }
 
-    fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter> {
+    fn parameters(&self, setup: &ProbeSettings, touches: &[Touch]) -> Vec<Parameter> {
         // Our own cycles have no row in the source's table.
         if self.def.number.is_none() {
             return Vec::new();
@@ -344,16 +344,16 @@ impl Cycle for Ency {
         rows
     }
 
-    fn review(&self, setup: &Setup, path: &Path, checker: &mut Checker) {
+    fn review_path(&self, setup: &ProbeSettings, path: &Path, checker: &mut Checker) {
         review(self.form.feed_distance, setup, path, checker);
     }
 
-    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
+    fn surfaces(&self, setup: &ProbeSettings) -> Vec<Surface> {
         let (shape, on) = self.seat(setup);
         shape.surfaces(&on)
     }
 
-    fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+    fn resized(&self, setup: &ProbeSettings, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
         let field = self
             .def
             .fields
@@ -390,7 +390,7 @@ impl Cycle for Ency {
 
 /// Checks the ends of a path: it begins and ends above the feature and never goes higher than its end. If the source gives no top side, a small feed distance
 /// is a warning.
-fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker) {
+fn review(feed_distance: f64, setup: &ProbeSettings, path: &Path, checker: &mut Checker) {
     const ROUNDING: f64 = 1e-6;
     let heights: Vec<f64> = path.moves.iter().map(|m| m.to.dot(path.frame.w)).collect();
     let [begin, .., end] = heights.as_slice() else {

@@ -2,8 +2,8 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::Properties;
-use crate::form::{Field, Kind, Shown, Values};
-use crate::path::{Accessor, Parameter, ParameterValue, Setup, Subject, Touch};
+use crate::form::{Field, Kind, PlainValue, Values};
+use crate::path::{Accessor, FeatureKind, Parameter, ParameterValue, ProbeSettings, Touch};
 use crate::text::{Text, text};
 
 /// Code of the variant, and the codes that matter only in the angular variant.
@@ -29,10 +29,10 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 /// custom properties that are set. The clearance of a surface comes after its touches.
 pub(super) fn table(
     (def, kind_name): (&CycleDef, &'static str),
-    values: &[(&'static Field, Shown)],
+    values: &[(&'static Field, PlainValue)],
     properties: Option<&Properties>,
     touches: &[Touch],
-    setup: &Setup,
+    setup: &ProbeSettings,
     name: impl Fn(usize) -> Text,
 ) -> Vec<Parameter> {
     let whole = |code: i32, n: i32, meaning: Text, field: Option<String>| Parameter {
@@ -62,13 +62,14 @@ pub(super) fn table(
         .any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
     own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
     falling(&mut own);
-    let late = |p: &Parameter| p.code == -66 || (def.probes == Subject::Surface && p.code == -56);
+    let late =
+        |p: &Parameter| p.code == -66 || (def.probes == FeatureKind::Surface && p.code == -56);
     let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);
     let compensated = last
         .iter()
         .any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
     let mut rows: Vec<Parameter> = kind.into_iter().collect();
-    if def.probes == Subject::Switch {
+    if def.probes == FeatureKind::Switch {
         rows.push(whole(-2, -500, text!("SubCode of probe on/off"), None));
     }
     rows.extend(first);
@@ -111,16 +112,16 @@ pub fn code_of(field: &Field) -> Option<(Accessor, i32)> {
 }
 
 /// A field as a row; `None` if it has no code or is not set.
-fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> {
+fn row(field: &'static Field, value: PlainValue, section: &str) -> Option<Parameter> {
     let (accessor, code) = code_of(field)?;
     let (value, type_name) = match value {
-        Shown::Number(x) if field.kind == Kind::Angle => (ParameterValue::Number(x), "Double"),
-        Shown::Number(x) => (ParameterValue::Length(x), "Double"),
-        Shown::Whole(n) => (ParameterValue::Whole(n), "Integer"),
-        Shown::Flag(on) if accessor == Accessor::Bol => (ParameterValue::Flag(on), "Boolean"),
+        PlainValue::Number(x) if field.kind == Kind::Angle => (ParameterValue::Number(x), "Double"),
+        PlainValue::Number(x) => (ParameterValue::Length(x), "Double"),
+        PlainValue::Whole(n) => (ParameterValue::Whole(n), "Integer"),
+        PlainValue::Flag(on) if accessor == Accessor::Bol => (ParameterValue::Flag(on), "Boolean"),
         // Flt accessor and type Integer, as in the source's tables.
-        Shown::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
-        Shown::Nothing => return None,
+        PlainValue::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
+        PlainValue::Nothing => return None,
     };
     let first = field
         .help

@@ -2,7 +2,7 @@
 
 use crate::cycle::ency::{self, Dimensions, forms, words};
 use crate::cycle::{CycleDef, REPEAT};
-use crate::path::{MAX_TOUCHES, Subject};
+use crate::path::{FeatureKind, MAX_TOUCHES};
 
 /// Builds the row of a cycle: its number in the source, its name in the parameter table, and the function that reads its dimensions.
 macro_rules! row {
@@ -21,14 +21,14 @@ macro_rules! row {
 pub static NC_ACTION: CycleDef = CycleDef {
     key: "nc-action",
     title: "NC action",
-    says: "Rows of the parameter table that a postprocessor acts on; nothing moves.",
-    also: "postprocessor offset report",
+    summary: "Rows of the parameter table that a postprocessor acts on; nothing moves.",
+    search_words: "postprocessor offset report",
     name: "NC-ACTION",
-    probes: Subject::Action,
+    probes: FeatureKind::Action,
     most_touches: 0,
     fields: forms::NcAction::FIELDS,
     sections: &[ency::PROPERTIES],
-    readings: &[
+    interpretations: &[
         "Nothing moves. What the action does is the postprocessor's, by SubCode and properties.",
     ],
     place: None,
@@ -41,14 +41,14 @@ pub static NC_ACTION: CycleDef = CycleDef {
 pub static PROBE_ON_OFF: CycleDef = CycleDef {
     key: "probe-on-off",
     title: "Probe on/off",
-    says: "Switches the probe on or off in a postprocessor; nothing moves.",
-    also: "switch activate",
+    summary: "Switches the probe on or off in a postprocessor; nothing moves.",
+    search_words: "switch activate",
     name: "PROBE-ON-OFF",
-    probes: Subject::Switch,
+    probes: FeatureKind::Switch,
     most_touches: 0,
     fields: forms::ProbeOnOff::FIELDS,
     sections: &[],
-    readings: &[
+    interpretations: &[
         "Nothing moves, so that a program of plain moves states its modes and ends. How a machine's probe is switched on is up \
                  to its builder, and is not guessed.",
     ],
@@ -62,10 +62,10 @@ pub static PROBE_ON_OFF: CycleDef = CycleDef {
 pub static SURFACE: CycleDef = CycleDef {
     key: "surface",
     title: "Surface",
-    says: "One touch of a face, a wall or the top, in X, Y or Z: where it is.",
-    also: "face plane top edge Z single point height parallels vise jaw",
+    summary: "One touch of a face, a wall or the top, in X, Y or Z: where it is.",
+    search_words: "face plane top edge Z single point height parallels vise jaw",
     name: "SURFACE",
-    probes: Subject::Surface,
+    probes: FeatureKind::Surface,
     most_touches: 1,
     fields: forms::Surface::FIELDS,
     steps: &[
@@ -74,7 +74,7 @@ pub static SURFACE: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         "The clearance is measured from the surface to the ball centre; the feed distance is along the tool axis.",
         words::NORMAL_OF_SURFACE,
         words::COMPENSATION,
@@ -91,14 +91,14 @@ pub static SURFACE: CycleDef = CycleDef {
 pub static HOLE: CycleDef = CycleDef {
     key: "hole",
     title: "Hole",
-    says: "A bore or a ring: centre and diameter, touched from its middle.",
-    also: "bore ring inside diameter circle",
+    summary: "A bore or a ring: centre and diameter, touched from its middle.",
+    search_words: "bore ring inside diameter circle",
     name: "BORE",
-    probes: Subject::Hole,
+    probes: FeatureKind::Hole,
     most_touches: MAX_TOUCHES,
     fields: forms::Hole::FIELDS,
     steps: words::FROM_CENTRE,
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::WAY_BACK,
@@ -117,17 +117,17 @@ pub static HOLE: CycleDef = CycleDef {
 pub static HOLE_PROTECTED: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
-    says: "A bore with something standing in the middle: the probe goes up and over it between the touches.",
-    also: "bore ring island inside diameter circle over",
+    summary: "A bore with something standing in the middle: the probe goes up and over it between the touches.",
+    search_words: "bore ring island inside diameter circle over",
     name: "BORE",
-    probes: Subject::HoleProtected,
+    probes: FeatureKind::HoleProtected,
     most_touches: MAX_TOUCHES,
     fields: forms::RoundProtected::FIELDS,
     steps: &words::protected(
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         "Steps 2 to 6 once more for each touch point that is left",
     ),
-    readings: words::ROUND_PROTECTED,
+    interpretations: words::ROUND_PROTECTED,
     ..row!(4, "hole probing protected", |section| {
         forms::RoundProtected::read(section).dimensions(true)
     })
@@ -137,17 +137,17 @@ pub static HOLE_PROTECTED: CycleDef = CycleDef {
 pub static BOSS: CycleDef = CycleDef {
     key: "boss",
     title: "Boss",
-    says: "A stud, pin or shaft from outside: centre and diameter.",
-    also: "stud pin shaft spigot outside diameter round",
+    summary: "A stud, pin or shaft from outside: centre and diameter.",
+    search_words: "stud pin shaft spigot outside diameter round",
     name: "BOSS",
-    probes: Subject::Boss,
+    probes: FeatureKind::Boss,
     most_touches: MAX_TOUCHES,
     fields: forms::RoundProtected::FIELDS,
     steps: &words::protected(
         "To the feed distance above the start, then down to the start: over the centre, top clearance above the top side",
         "Steps 2 to 6 once more for each touch point that is left",
     ),
-    readings: words::ROUND_PROTECTED,
+    interpretations: words::ROUND_PROTECTED,
     ..row!(5, "boss probing", |section| forms::RoundProtected::read(
         section
     )
@@ -158,14 +158,14 @@ pub static BOSS: CycleDef = CycleDef {
 pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
     key: "internal-rectangle",
     title: "Internal rectangle",
-    says: "A pocket: centre, length and width, touched from its middle.",
-    also: "pocket window inside",
+    summary: "A pocket: centre, length and width, touched from its middle.",
+    search_words: "pocket window inside",
     name: "POCKET",
-    probes: Subject::Pocket,
+    probes: FeatureKind::Pocket,
     most_touches: 4,
     fields: forms::InternalRectangle::FIELDS,
     steps: words::FROM_CENTRE,
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::WAY_BACK,
@@ -183,17 +183,17 @@ pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
 pub static INTERNAL_RECTANGLE_PROTECTED: CycleDef = CycleDef {
     key: "internal-rectangle-protected",
     title: "Internal rectangle, protected",
-    says: "A pocket with something standing in the middle: the probe goes up and over it between the touches.",
-    also: "pocket window island inside over",
+    summary: "A pocket with something standing in the middle: the probe goes up and over it between the touches.",
+    search_words: "pocket window island inside over",
     name: "POCKET",
-    probes: Subject::PocketProtected,
+    probes: FeatureKind::PocketProtected,
     most_touches: 4,
     fields: forms::RectangleProtected::FIELDS,
     steps: &words::protected(
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         "Steps 2 to 6 three times more, once for each touch point that is left",
     ),
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::FEEDS,
@@ -211,17 +211,17 @@ pub static INTERNAL_RECTANGLE_PROTECTED: CycleDef = CycleDef {
 pub static EXTERNAL_RECTANGLE: CycleDef = CycleDef {
     key: "external-rectangle",
     title: "External rectangle",
-    says: "A block or an island from outside: centre, length and width.",
-    also: "island block stock part outside vise",
+    summary: "A block or an island from outside: centre, length and width.",
+    search_words: "island block stock part outside vise",
     name: "BLOCK",
-    probes: Subject::Block,
+    probes: FeatureKind::Block,
     most_touches: 4,
     fields: forms::RectangleProtected::FIELDS,
     steps: &words::protected(
         "To the feed distance above the start, then down to the start: over the centre, top clearance above the top side",
         "Steps 2 to 6 three times more, once for each touch point that is left",
     ),
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::FEEDS,
@@ -238,17 +238,17 @@ pub static EXTERNAL_RECTANGLE: CycleDef = CycleDef {
 pub static WEB: CycleDef = CycleDef {
     key: "web",
     title: "Web",
-    says: "A rib from both sides: its middle and its width.",
-    also: "rib ridge bar wall outside width",
+    summary: "A rib from both sides: its middle and its width.",
+    search_words: "rib ridge bar wall outside width",
     name: "WEB",
-    probes: Subject::Web,
+    probes: FeatureKind::Web,
     most_touches: 2,
     fields: forms::PairProtected::FIELDS,
     steps: &words::protected(
         "To the feed distance above the start, then down to the start: over the middle, top clearance above the top side",
         "Steps 2 to 6 for the second touch point",
     ),
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::FEEDS,
@@ -267,10 +267,10 @@ pub static WEB: CycleDef = CycleDef {
 pub static WEB_THREE_POINTS: CycleDef = CycleDef {
     key: "web-three-points",
     title: "Web, three points",
-    says: "A rib from both sides and on top: its middle, its width and its height.",
-    also: "rib ridge bar wall outside width top Z",
+    summary: "A rib from both sides and on top: its middle, its width and its height.",
+    search_words: "rib ridge bar wall outside width top Z",
     name: "WEB",
-    probes: Subject::WebTop,
+    probes: FeatureKind::WebTop,
     most_touches: 3,
     fields: forms::WebThreePoints::FIELDS,
     steps: &[
@@ -284,7 +284,7 @@ pub static WEB_THREE_POINTS: CycleDef = CycleDef {
         "Touch the middle point, and back",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::FEEDS,
@@ -304,10 +304,10 @@ pub static WEB_THREE_POINTS: CycleDef = CycleDef {
 pub static GROOVE: CycleDef = CycleDef {
     key: "groove",
     title: "Groove",
-    says: "A slot, or the gap between two jaws: its middle and its width, touched from the middle.",
-    also: "slot keyway channel gap inside width vise jaws",
+    summary: "A slot, or the gap between two jaws: its middle and its width, touched from the middle.",
+    search_words: "slot keyway channel gap inside width vise jaws",
     name: "GROOVE",
-    probes: Subject::Groove,
+    probes: FeatureKind::Groove,
     most_touches: 2,
     fields: forms::Groove::FIELDS,
     steps: &[
@@ -317,7 +317,7 @@ pub static GROOVE: CycleDef = CycleDef {
         "With the top clearance checked: up by top clearance and depth",
         "Up to the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::WAY_BACK,
@@ -334,17 +334,17 @@ pub static GROOVE: CycleDef = CycleDef {
 pub static GROOVE_PROTECTED: CycleDef = CycleDef {
     key: "groove-protected",
     title: "Groove, protected",
-    says: "A slot with something standing in it: the probe goes up and over it between the touches.",
-    also: "slot keyway channel gap island inside width over",
+    summary: "A slot with something standing in it: the probe goes up and over it between the touches.",
+    search_words: "slot keyway channel gap island inside width over",
     name: "GROOVE",
-    probes: Subject::GrooveProtected,
+    probes: FeatureKind::GrooveProtected,
     most_touches: 2,
     fields: forms::PairProtected::FIELDS,
     steps: &words::protected(
         "To the feed distance above the start, then down to the start: the middle, top clearance above the top side",
         "Steps 2 to 6 for the second touch point",
     ),
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::FEEDS,
@@ -363,10 +363,10 @@ pub static GROOVE_PROTECTED: CycleDef = CycleDef {
 pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
     key: "double-wall-internal-corner",
     title: "Double wall internal corner",
-    says: "The inside corner of two walls: where they meet, and the angle of each wall that is touched twice.",
-    also: "inside corner edge wall angle rotation skew fixture stop vise",
+    summary: "The inside corner of two walls: where they meet, and the angle of each wall that is touched twice.",
+    search_words: "inside corner edge wall angle rotation skew fixture stop vise",
     name: "CORNER",
-    probes: Subject::CornerInside,
+    probes: FeatureKind::CornerInside,
     most_touches: MAX_TOUCHES,
     fields: forms::DoubleWallInternalCorner::FIELDS,
     steps: &[
@@ -381,7 +381,7 @@ pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::ALONG,
@@ -400,10 +400,10 @@ pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
 pub static DOUBLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
     key: "double-wall-external-corner",
     title: "Double wall external corner",
-    says: "The outside corner of a part: where its two walls meet, and the angle of each wall that is touched twice.",
-    also: "outside corner edge wall angle rotation skew stock part vise",
+    summary: "The outside corner of a part: where its two walls meet, and the angle of each wall that is touched twice.",
+    search_words: "outside corner edge wall angle rotation skew stock part vise",
     name: "CORNER",
-    probes: Subject::CornerOutside,
+    probes: FeatureKind::CornerOutside,
     most_touches: MAX_TOUCHES,
     fields: forms::DoubleWallExternalCorner::FIELDS,
     steps: &[
@@ -418,7 +418,7 @@ pub static DOUBLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::ALONG,
@@ -439,10 +439,10 @@ pub static DOUBLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
 pub static TRIPLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
     key: "triple-wall-internal-corner",
     title: "Triple wall internal corner",
-    says: "The inside corner of two walls and a floor: X, Y and Z of the corner.",
-    also: "inside corner edge wall floor Z fixture stop vise",
+    summary: "The inside corner of two walls and a floor: X, Y and Z of the corner.",
+    search_words: "inside corner edge wall floor Z fixture stop vise",
     name: "CORNER",
-    probes: Subject::TripleInside,
+    probes: FeatureKind::TripleInside,
     most_touches: 3,
     fields: forms::TripleWallInternalCorner::FIELDS,
     steps: &[
@@ -452,7 +452,7 @@ pub static TRIPLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
         "Touch the third wall, and back",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::LAST_LIFT,
@@ -470,10 +470,10 @@ pub static TRIPLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
 pub static TRIPLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
     key: "triple-wall-external-corner",
     title: "Triple wall external corner",
-    says: "The outside corner of a part and its top: X, Y and Z of the corner.",
-    also: "outside corner edge wall top Z stock part vise",
+    summary: "The outside corner of a part and its top: X, Y and Z of the corner.",
+    search_words: "outside corner edge wall top Z stock part vise",
     name: "CORNER",
-    probes: Subject::TripleOutside,
+    probes: FeatureKind::TripleOutside,
     most_touches: 3,
     fields: forms::TripleWallExternalCorner::FIELDS,
     steps: &[
@@ -486,7 +486,7 @@ pub static TRIPLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         words::HEIGHTS,
         words::NORMAL,
         words::LAST_LIFT,
@@ -504,10 +504,10 @@ pub static TRIPLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
 pub static WALL_ANGLE: CycleDef = CycleDef {
     key: "wall-angle",
     title: "Angle of a wall",
-    says: "A straight wall or jaw, touched twice: how far it is turned.",
-    also: "rotation skew edge fence vise jaw parallel align basic rotation",
+    summary: "A straight wall or jaw, touched twice: how far it is turned.",
+    search_words: "rotation skew edge fence vise jaw parallel align basic rotation",
     name: "WALL",
-    probes: Subject::Wall,
+    probes: FeatureKind::Wall,
     most_touches: 2,
     fields: forms::WallAngle::FIELDS,
     sections: &[REPEAT],
@@ -518,7 +518,7 @@ pub static WALL_ANGLE: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[
+    interpretations: &[
         "The cycle is ours: two touches at one height, half the distance to either side of the middle of the wall.",
         "Across the wall nothing but its direction is measured: where it is, a Surface says.",
         words::NORMAL_OF_SURFACE,

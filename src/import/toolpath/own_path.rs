@@ -1,7 +1,9 @@
 //! Moves of native cycles, if they are known, in a run with a known stylus position: Renishaw's macros, measuring cycles of a SINUMERIK.
 
 use crate::control::native::{self, Unit};
-use crate::control::own::machine::{Alarm, IN_POSITION, Kind, Machine, Made, Met};
+use crate::control::own::machine::{
+    Alarm, BallContact, ExecutedMove, IN_POSITION, Machine, MoveKind,
+};
 use crate::control::renishaw::macros::{self, FAST};
 use crate::control::sinumerik::cycles;
 use crate::geom::{Plane, Vec3};
@@ -151,13 +153,15 @@ impl Reader {
         true
     }
 
-    fn own_move(&mut self, made: &Made, inch: f64) {
+    fn own_move(&mut self, made: &ExecutedMove, inch: f64) {
         let kind = match made.kind {
-            Kind::Rapid => RAPID,
+            MoveKind::Rapid => RAPID,
             // At the control's rapid rate.
-            Kind::Watched | Kind::Back if made.rate.is_none() && made.arc.is_none() => RAPID,
-            Kind::Watched | Kind::Back => FEED,
-            Kind::Search | Kind::Measure | Kind::Once => PROBE,
+            MoveKind::Watched | MoveKind::Retract if made.rate.is_none() && made.arc.is_none() => {
+                RAPID
+            }
+            MoveKind::Watched | MoveKind::Retract => FEED,
+            MoveKind::Search | MoveKind::Measure | MoveKind::SingleTouch => PROBE,
         };
         if let Some(arc) = made.arc {
             let [x, y, z] = (arc.center / inch).to_array();
@@ -178,7 +182,7 @@ impl Reader {
     }
 
     /// Answers the moves of native cycles: ball centres, mm.
-    fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
+    fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<BallContact> + use<> {
         let run = self.run.as_ref();
         let known = run.map(|run| (run.feature.clone(), run.touch, run.positioning));
         let (frames, inch) = (self.frames.clone(), self.inch());
@@ -201,11 +205,13 @@ impl Reader {
                 }
                 None => expected,
             };
-            center.filter(|center| !center.is_nan()).map(|center| Met {
-                center,
-                surface: 0,
-                edge: false,
-            })
+            center
+                .filter(|center| !center.is_nan())
+                .map(|center| BallContact {
+                    center,
+                    surface: 0,
+                    edge: false,
+                })
         }
     }
 

@@ -10,7 +10,7 @@ use crate::part::measured::line::Item;
 use crate::part::measured::log::Log;
 use crate::part::measured::offset::{self, Shift};
 use crate::part::measured::{Expected, Measured, Numbered, Stand, reach, stand};
-use crate::path::Purpose;
+use crate::path::MovePurpose;
 use crate::text::text;
 
 /// A shorter positioning move is not a probing move, mm: its block has the same numbers as the previous one.
@@ -73,14 +73,14 @@ fn positioning(expected: &Expected<'_>) -> Vec<Before> {
     let mut from = path.start;
     for step in &path.moves {
         match step.purpose {
-            Purpose::Touch(_) => all.push(std::mem::take(&mut next)),
-            Purpose::Position if step.arc.is_some() => next.arcs = true,
+            MovePurpose::Touch(_) => all.push(std::mem::take(&mut next)),
+            MovePurpose::Position if step.arc.is_some() => next.arcs = true,
             // The approach to the first position is not watched.
-            Purpose::Position => {
+            MovePurpose::Position => {
                 next.straight +=
                     usize::from(from.is_some_and(|from| from.distance(step.to) >= ONE_PLACE))
             }
-            Purpose::Back(_) | Purpose::Search(_) => {}
+            MovePurpose::Retract(_) | MovePurpose::Search(_) => {}
         }
         from = Some(step.to);
     }

@@ -3,7 +3,7 @@
 use crate::form::Checker;
 use crate::geom::Vec3;
 use crate::part::measured::Expected;
-use crate::path::{Path, Purpose};
+use crate::path::{MovePurpose, Path};
 use crate::text::text;
 
 /// Reports points that their touches cannot have reached.
@@ -38,7 +38,7 @@ pub fn out_of_reach<'a>(
             let shift = path
                 .moves
                 .iter()
-                .position(|m| m.purpose == Purpose::Touch(k))
+                .position(|m| m.purpose == MovePurpose::Touch(k))
                 .map_or(0.0, |i| path.farthest_shift(i));
             let reach = touch.search + shift + 1e-6;
             let out = aside > reach
@@ -53,7 +53,7 @@ fn way_to(path: &Path, touch: usize) -> f64 {
     let Some(i) = path
         .moves
         .iter()
-        .position(|m| m.purpose == Purpose::Touch(touch))
+        .position(|m| m.purpose == MovePurpose::Touch(touch))
     else {
         return 0.0;
     };

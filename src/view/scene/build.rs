@@ -3,7 +3,9 @@
 use crate::formula::{Operand, RelationDrawing};
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::part::{Run, Stock};
-use crate::path::{Feed, Feeds, Move, Path, Purpose, Related, Setup, Surface, Touch, Wall};
+use crate::path::{
+    Feed, Feeds, Move, MovePurpose, Path, ProbeSettings, RelationSegment, Surface, Touch, Wall,
+};
 use crate::view::material::material;
 use crate::view::scene::blocks::blocks;
 use crate::view::scene::top_faces::{Backs, breaks, topped, tops};
@@ -31,7 +33,7 @@ pub struct Actual<'a> {
 /// Scene of a path. The material of a feature that `stock` contains is drawn with the stock.
 pub fn build(
     path: &Path,
-    setup: &Setup,
+    setup: &ProbeSettings,
     feeds: &Feeds,
     actual: &Actual<'_>,
     (view, stock): (Projection, Option<&Stock>),
@@ -99,7 +101,7 @@ pub fn build(
 /// Link moves between the cycles of a set-up, and ends of its moves: the scenes of its cycles are added to this one.
 pub fn between(
     path: &Path,
-    setup: &Setup,
+    setup: &ProbeSettings,
     feeds: &Feeds,
     collision: Option<(usize, Vec3)>,
     view: Projection,
@@ -122,11 +124,11 @@ pub fn between(
             .collect(),
         ..Scene::about(setup.plane, view)
     };
-    for member in path.members.iter().skip(1) {
+    for member in path.cycles.iter().skip(1) {
         // A cycle without a stated start moves to its first position.
         let own = usize::from(member.path.start.is_none());
         let first = path
-            .members
+            .cycles
             .iter()
             .map(|other| other.moves.end)
             .filter(|end| *end <= member.moves.start)
@@ -158,12 +160,12 @@ fn height(path: &Path, plane: Plane, members: &[usize]) -> f64 {
     let [.., w] = plane.basis();
     members
         .iter()
-        .map(|member| path.members[*member].path.frame.origin.dot(w))
+        .map(|member| path.cycles[*member].path.frame.origin.dot(w))
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Positions that a relation uses, on the nominal part.
-fn places(path: &Path, plane: Plane, relation: &Related) -> Vec<Vec3> {
+fn places(path: &Path, plane: Plane, relation: &RelationSegment) -> Vec<Vec3> {
     let [a, o, w] = plane.basis();
     let nominal = |result: usize| path.formula.results[result].nominal;
     let place = |operand: &Operand| match *operand {
@@ -215,7 +217,7 @@ fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
 /// Input of the scene with the viewing direction.
 struct Look<'a> {
     path: &'a Path,
-    setup: &'a Setup,
+    setup: &'a ProbeSettings,
     actual: &'a Actual<'a>,
     view: Projection,
     stock: Option<&'a Stock>,
@@ -343,7 +345,7 @@ impl Look<'_> {
         for (index, step) in self.path.moves.iter().enumerate() {
             let (rapid, back) = (
                 feeds.is_rapid(step.feed),
-                matches!(step.purpose, Purpose::Back(_)),
+                matches!(step.purpose, MovePurpose::Retract(_)),
             );
             let mut start = at.unwrap_or(step.to);
             for end in step.pieces(start, self.path.frame.w, 3.0) {
@@ -362,7 +364,7 @@ impl Look<'_> {
                 });
                 start = end;
             }
-            if let Purpose::Touch(k) = step.purpose {
+            if let MovePurpose::Touch(k) = step.purpose {
                 let end = step.to - self.path.touches[k].vector * self.path.touches[k].search;
                 let (from, to, behind) = (
                     self.spot(step.to),
@@ -401,7 +403,7 @@ impl Look<'_> {
                     .path
                     .moves
                     .iter()
-                    .position(|step| step.purpose == Purpose::Touch(k)),
+                    .position(|step| step.purpose == MovePurpose::Touch(k)),
                 behind: backs.before([center; 2]),
             }
         };
@@ -417,14 +419,15 @@ impl Look<'_> {
 
 fn stroke(step: &Move) -> Stroke {
     match (step.purpose, step.feed) {
-        (Purpose::Touch(_) | Purpose::Search(_), _) => Stroke::Touch,
+        (MovePurpose::Touch(_) | MovePurpose::Search(_), _) => Stroke::Touch,
         (
-            Purpose::Position | Purpose::Back(_),
+            MovePurpose::Position | MovePurpose::Retract(_),
             Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid,
         ) => Stroke::Position,
-        (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work | Feed::Search) => {
-            Stroke::Link
-        }
+        (
+            MovePurpose::Position | MovePurpose::Retract(_),
+            Feed::LongLink | Feed::Work | Feed::Search,
+        ) => Stroke::Link,
     }
 }
 

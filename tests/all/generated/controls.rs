@@ -3,20 +3,20 @@
 use std::fmt::Write;
 
 use touchpath::control::safety::RULES;
-use touchpath::control::{Form, POSTS, PostDef, WRITE_OFFSET};
+use touchpath::control::{POSTS, PostDef, ProgramForm, WRITE_OFFSET};
 use touchpath::cycle::{CYCLES, CycleDef};
-use touchpath::path::Subject;
+use touchpath::path::FeatureKind;
 
 fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     // Rows of the table alone: a program of moves states its modes and ends.
-    if matches!(def.probes, Subject::Switch | Subject::Action) {
-        return match Form::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
+    if matches!(def.probes, FeatureKind::Switch | FeatureKind::Action) {
+        return match ProgramForm::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
             [_, true] => "own cycle",
             [true, false] => "table only",
             [false, false] => "–",
         };
     }
-    match Form::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
+    match ProgramForm::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
         [true, true] => "moves, own cycle",
         [true, false] => "moves",
         [false, true] => "own cycle",
@@ -65,7 +65,7 @@ pub fn page() -> String {
     let moves = |post: &PostDef| {
         CYCLES
             .iter()
-            .any(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+            .any(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
     };
     let by = |post: &PostDef, is: bool| {
         if moves(post) {
@@ -79,7 +79,7 @@ pub fn page() -> String {
             0 => format!(
                 "none: {}",
                 post.why_not(WRITE_OFFSET)
-                    .map_or_else(String::new, |why| post.says(why).english())
+                    .map_or_else(String::new, |why| post.control_text(why).english())
             ),
             last => format!(
                 "{} to {}",
@@ -116,12 +116,12 @@ pub fn page() -> String {
         let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
         for (def, form) in CYCLES
             .iter()
-            .flat_map(|def| Form::ALL.map(|form| (def, form)))
+            .flat_map(|def| ProgramForm::ALL.map(|form| (def, form)))
         {
             let Err(why) = (post.serves)(def.probes, form) else {
                 continue;
             };
-            let what = if form == Form::Moves {
+            let what = if form == ProgramForm::Moves {
                 "moves"
             } else {
                 "own cycle"
@@ -155,7 +155,9 @@ pub fn page() -> String {
                 post.cannot
                     .iter()
                     .filter(|(name, _)| *name == rule.name)
-                    .map(move |(_, why)| format!("{}: {}", post.title, post.says(why).english()))
+                    .map(move |(_, why)| {
+                        format!("{}: {}", post.title, post.control_text(why).english())
+                    })
             })
             .collect();
         let job = if rule.must { "" } else { " (as the job asks)" };

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::common::{number, with};
 use touchpath::control::safety::RULES;
-use touchpath::control::{Form, ORIENT, POSTS, WRITE_OFFSET};
+use touchpath::control::{ORIENT, POSTS, ProgramForm, WRITE_OFFSET};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Plan, SafetyRow, default_job, examine, plan};
@@ -14,11 +14,11 @@ fn text(text: &str) -> Value {
     Value::Text(text.to_owned())
 }
 
-fn job_for(cycle: &str, post: &str, form: Form, offset: bool) -> Value {
+fn job_for(cycle: &str, post: &str, form: ProgramForm, offset: bool) -> Value {
     let job = with(&default_job(cycle).unwrap(), "control.post", text(post));
     let job = with(&job, "control.form", text(form.word()));
     // P9834 would ask for the angle of two circles when the offset is written.
-    let late = offset && form == Form::Cycle && cycle == "probing-two-circles";
+    let late = offset && form == ProgramForm::Cycle && cycle == "probing-two-circles";
     let job = if late {
         with(&job, "limits.angle", Value::Null)
     } else {
@@ -50,12 +50,12 @@ fn every_rule_holds_for_every_control_and_cycle() {
     let (mut held, mut unable) = (0, 0);
     for post in POSTS {
         for def in CYCLES {
-            for form in Form::ALL
+            for form in ProgramForm::ALL
                 .into_iter()
                 .filter(|form| (post.serves)(def.probes, *form).is_ok())
             {
                 // Cycle 1411 corrects the active preset itself.
-                let itself = form == Form::Cycle && (post.own_preset)(def.probes);
+                let itself = form == ProgramForm::Cycle && (post.own_preset)(def.probes);
                 let takes = post.work_offsets > 0 && !itself;
                 for offset in [false, true].into_iter().filter(|offset| !offset || takes) {
                     // The one of its cycles that lifts between the walls of a groove writes.
@@ -73,7 +73,7 @@ fn every_rule_holds_for_every_control_and_cycle() {
                     assert_eq!(names, asked.collect::<Vec<_>>());
                     assert_eq!(
                         plan.program.proof.is_some(),
-                        form == Form::Moves,
+                        form == ProgramForm::Moves,
                         "{} {}",
                         post.key,
                         def.key
@@ -99,7 +99,7 @@ fn every_rule_holds_for_every_control_and_cycle() {
                             None => {
                                 assert!(
                                     cannot.is_some_and(|(_, why)| *why == row.said.template())
-                                        || form == Form::Cycle,
+                                        || form == ProgramForm::Cycle,
                                     "{row:?}"
                                 )
                             }
@@ -121,12 +121,12 @@ fn a_rule_names_the_lines_that_it_was_asked_of() {
     for post in POSTS {
         for def in CYCLES
             .iter()
-            .filter(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+            .filter(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
         {
             let plan = plan(&job_for(
                 def.key,
                 post.key,
-                Form::Moves,
+                ProgramForm::Moves,
                 post.work_offsets > 0,
             ))
             .unwrap();
@@ -215,13 +215,13 @@ fn what_a_program_writes_is_in_its_blocks() {
     for post in POSTS {
         for def in CYCLES
             .iter()
-            .filter(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+            .filter(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
         {
             for offset in [false, true] {
                 let plan = plan(&job_for(
                     def.key,
                     post.key,
-                    Form::Moves,
+                    ProgramForm::Moves,
                     offset && post.work_offsets > 0,
                 ))
                 .unwrap();
@@ -653,7 +653,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
         let job = job_for(
             "internal-rectangle-protected",
             post,
-            Form::Moves,
+            ProgramForm::Moves,
             known.work_offsets > 0,
         );
         let job = with(
@@ -827,7 +827,7 @@ fn no_dangerous_line_between_two_moves_goes_unnoticed() {
         let job = job_for(
             "internal-rectangle-protected",
             post,
-            Form::Moves,
+            ProgramForm::Moves,
             known.work_offsets > 0,
         );
         let plan = plan(&job).unwrap();
@@ -876,7 +876,12 @@ fn a_result_that_is_overwritten_in_another_spelling_is_not_proven() {
         ("sinumerik", "R01=99", "M30"),
         ("sinumerik", "r1=99", "M30"),
     ] {
-        let job = job_for("internal-rectangle-protected", post, Form::Moves, false);
+        let job = job_for(
+            "internal-rectangle-protected",
+            post,
+            ProgramForm::Moves,
+            false,
+        );
         let plan = plan(&job).unwrap();
         // The first result is in this variable.
         let named = plan
@@ -916,7 +921,12 @@ fn the_blocks_that_stop_reading_ahead_are_asked_for() {
         ("sinumerik", "STOPRE\n"),
         ("linuxcnc", "M66 E0 L0\n"),
     ] {
-        let job = job_for("internal-rectangle-protected", post, Form::Moves, true);
+        let job = job_for(
+            "internal-rectangle-protected",
+            post,
+            ProgramForm::Moves,
+            true,
+        );
         let plan = plan(&job).unwrap();
         let places: Vec<usize> = plan
             .program
@@ -973,7 +983,7 @@ fn a_comment_holds_no_rule() {
     let job = job_for(
         "internal-rectangle-protected",
         "linuxcnc",
-        Form::Moves,
+        ProgramForm::Moves,
         false,
     );
     let program = plan(&job).unwrap().program.text;
@@ -987,7 +997,7 @@ fn a_comment_holds_no_rule() {
 #[test]
 fn what_the_job_asks_for_is_said_and_not_refused() {
     let job = with(
-        &job_for("hole-protected", "linuxcnc", Form::Moves, true),
+        &job_for("hole-protected", "linuxcnc", ProgramForm::Moves, true),
         "control.protection",
         text("none"),
     );

@@ -12,7 +12,7 @@ fn a_program_with_another_digit_is_not_proven() {
         ("fanuc", "web"),
     ] {
         let known = touchpath::control::find(post).unwrap();
-        let job = job_for(cycle, post, Form::Moves, known.work_offsets > 0);
+        let job = job_for(cycle, post, ProgramForm::Moves, known.work_offsets > 0);
         let job = with(
             &with(&job, "cycle.rotation", number(17.0)),
             "cycle.origin",
@@ -113,7 +113,7 @@ fn other_digits(line: &str, decimals_seen: usize) -> Vec<String> {
 
 #[test]
 fn a_plan_says_its_proof_and_its_rules_in_json() {
-    let plan: Plan = plan(&job_for("hole", "grbl", Form::Moves, false)).unwrap();
+    let plan: Plan = plan(&job_for("hole", "grbl", ProgramForm::Moves, false)).unwrap();
     let json = serde_json::to_value(&plan).unwrap();
     assert_eq!(
         json["program"]["proof"],

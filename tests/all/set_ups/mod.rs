@@ -697,7 +697,7 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
                 let lifts = find(post)
                     .unwrap()
                     .own
-                    .is_some_and(|own| own.several.comes_itself);
+                    .is_some_and(|own| own.several.links_itself);
                 let compared = |m: &&Move| !lifts || m.kind == "touch";
                 let (moves, alone) = (moves.filter(compared), single.moves.iter().filter(compared));
                 let same = moves

@@ -5,24 +5,27 @@
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
-    Placed, Probed, Seated, Shape, begin, clearance_rule, constant, flat, lift, touch_count_rule,
+    PlacedShape, Probed, Shape, TouchLayout, begin, clearance_rule, constant, flat, lift,
+    touch_count_rule,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value};
+use crate::formula::{Draft, Expr, Formula, Name, OffsetCorrection, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{self, Entry, Feature, Feed, Setup, Surface, Touched, Tracer, Wall};
+use crate::path::{
+    self, Feature, Feed, FieldValue, ProbeSettings, Surface, Tracer, Wall, WallTouch,
+};
 use crate::text::{Text, text, words};
 
 pub const ANGLE: &str = "cycle.angle";
 
 /// The fields of the two walls.
-pub const WALLS: [Touched; 2] = [
-    Touched {
+pub const WALLS: [WallTouch; 2] = [
+    WallTouch {
         clearance: "cycle.clearance1",
         step: Some("cycle.step1"),
         distance: Some("cycle.distance1"),
     },
-    Touched {
+    WallTouch {
         clearance: "cycle.clearance2",
         step: Some("cycle.step2"),
         distance: Some("cycle.distance2"),
@@ -224,7 +227,7 @@ impl Probed for Corner {
         }
     }
 
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         clearance_rule(
             checker,
             setup,
@@ -359,7 +362,7 @@ impl Probed for Corner {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
+    fn place(&self, picks: &[Pick], plane: Plane) -> PlacedShape {
         let [one, two] = [picks[0], picks[self.counts[0].min(picks.len() - 1)]];
         let origin = meeting(plane, &one, &two).unwrap_or(one.point);
         let (rotation, angle) = from_normals(self.internal, plane, [one.vector, two.vector]);
@@ -378,7 +381,7 @@ impl Probed for Corner {
                 *step = a.point.distance(b.point);
             }
         }
-        Placed {
+        PlacedShape {
             origin,
             rotation,
             shape: Shape::Corner(Corner {
@@ -390,7 +393,7 @@ impl Probed for Corner {
         }
     }
 
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer) {
         let (_, (u, v)) = self.sides();
         let start = on.frame.point(u, v, 0.0);
         begin(on, tracer, start, 1);
@@ -419,7 +422,7 @@ impl Probed for Corner {
 
     /// Each wall is a line through the mean of the ball centres, along their total-least-squares direction if there are two or more touches, else along the
     /// nominal direction; then it is offset by the ball radius along its normal. The corner is the intersection.
-    fn formula(&self, on: &Seated<'_>) -> Formula {
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula {
         let plane = on.setup.plane;
         let [a, o, _] = plane.axes();
         let origin = on.frame.origin;
@@ -512,11 +515,11 @@ impl Probed for Corner {
                 f.result(code, Role::Residual, meaning, 0.0, residual);
             }
         }
-        let datum = Datum::point((x, origin[a]), (y, origin[o]));
+        let datum = OffsetCorrection::point((x, origin[a]), (y, origin[o]));
         f.finish(Some(datum))
     }
 
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface> {
         let margin = 3.0 * on.setup.radius.max(2.0);
         let (sides, _) = self.sides();
         sides
@@ -539,7 +542,7 @@ impl Probed for Corner {
     }
 
     fn feature(&self) -> Feature {
-        let angle = Entry {
+        let angle = FieldValue {
             field: ANGLE,
             value: self.angle.degrees,
         };
@@ -551,7 +554,7 @@ impl Probed for Corner {
         })
     }
 
-    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+    fn top(&self, _on: &TouchLayout<'_>) -> Option<f64> {
         None
     }
 

@@ -21,7 +21,9 @@ use crate::cycle::ency::Pick;
 use crate::form::Checker;
 use crate::formula::{Draft, Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
+use crate::path::{
+    Feature, Feed, MAX_TOUCHES, ProbeSettings, SHORTEST_TOUCH, Surface, Touch, Tracer,
+};
 use crate::text::{Text, text};
 
 /// A feature with its dimensions and its kind of probing.
@@ -84,27 +86,27 @@ pub trait Probed {
     fn name(&self, k: usize) -> Text;
 
     /// Reports dimensions that contradict each other.
-    fn rules(&self, setup: &Setup, checker: &mut Checker);
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker);
 
     /// Reports faults of picked touches.
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker);
 
     /// The shape with the sizes and the position that valid picks give.
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placed;
+    fn place(&self, picks: &[Pick], plane: Plane) -> PlacedShape;
 
     /// Plans the documented steps.
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer);
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer);
 
     /// The results that the control computes.
-    fn formula(&self, on: &Seated<'_>) -> Formula;
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula;
 
     /// The surfaces, one for each group of touches.
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface>;
 
     fn feature(&self) -> Feature;
 
     /// Height of the top side along the tool axis, mm, if the source has one.
-    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+    fn top(&self, _on: &TouchLayout<'_>) -> Option<f64> {
         None
     }
 
@@ -116,7 +118,7 @@ pub trait Probed {
 
 /// A shape at the position that its form or its picks give.
 #[derive(Clone, Debug, Default)]
-pub struct Placed {
+pub struct PlacedShape {
     /// `origin` of the form, mm.
     pub origin: Vec3,
     /// `rotation` of the form, degrees.
@@ -124,7 +126,7 @@ pub struct Placed {
     pub shape: Shape,
 }
 
-impl Placed {
+impl PlacedShape {
     /// Frame of its dimensions.
     pub fn frame(&self, plane: Plane) -> Frame {
         Frame::new(plane, self.origin, self.rotation.to_radians())
@@ -133,30 +135,30 @@ impl Placed {
 
 /// The touches of a shape with the settings of the job.
 #[derive(Debug)]
-pub struct Seated<'a> {
+pub struct TouchLayout<'a> {
     /// The frame of the shape's dimensions.
     pub frame: Frame,
     pub touches: Vec<Touch>,
     /// Settings of the job.
-    pub setup: &'a Setup,
+    pub setup: &'a ProbeSettings,
     /// Height above the start at which the path begins and ends, mm.
     pub feed_distance: f64,
 }
 
 /// To the feed distance above the start, then down to the start.
-pub fn begin(on: &Seated<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
+pub fn begin(on: &TouchLayout<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
     tracer.position(start + on.frame.w * on.feed_distance, Feed::Approach, step);
     tracer.position(start, Feed::Approach, step);
 }
 
 /// Up by the feed distance at the end.
-pub fn lift(on: &Seated<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
+pub fn lift(on: &TouchLayout<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
     tracer.position(start + on.frame.w * on.feed_distance, Feed::Return, step);
 }
 
 /// Documented steps 2 to 6 of a protected cycle: across to a point in front of the touch at the height of the start, down, touch and retract, up, back to the
 /// start.
-pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, clearance: f64) {
+pub fn protected(on: &TouchLayout<'_>, tracer: &mut Tracer, k: usize, start: Vec3, clearance: f64) {
     let touch = &on.touches[k];
     let approach = touch.point + touch.vector * clearance;
     let over = approach + on.frame.w * (start - approach).dot(on.frame.w);
@@ -168,7 +170,7 @@ pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, cl
 }
 
 /// Documented steps of a cycle that touches from the middle: in from above if the top clearance is checked, all touches from there, and out.
-pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>) {
+pub fn from_middle(on: &TouchLayout<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>) {
     let start = on.frame.point(0.0, 0.0, -depth);
     match top {
         Some(top) => {
@@ -199,7 +201,7 @@ pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
 /// A clearance must be larger than the ball radius, or the ball is in contact before the touch. Lengths are from the surface to the ball centre.
 pub fn clearance_rule(
     checker: &mut Checker,
-    setup: &Setup,
+    setup: &ProbeSettings,
     label: &'static str,
     clearance: f64,
     path: &str,
@@ -236,7 +238,7 @@ pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
 /// Checks for touches above the middle of the ball and for crossings that are too low. `outside`: whether the part itself is in the way.
 pub fn level_rules(
     checker: &mut Checker,
-    setup: &Setup,
+    setup: &ProbeSettings,
     depth: f64,
     crossing: Option<f64>,
     outside: bool,

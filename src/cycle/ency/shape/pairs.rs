@@ -2,14 +2,14 @@
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
-    Placed, Probed, Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, lift,
-    protected,
+    PlacedShape, Probed, Shape, TouchLayout, begin, clearance_rule, flat, from_middle, level_rules,
+    lift, protected,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
+use crate::formula::{Coordinate, Draft, Formula, Name, OffsetCorrection, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{
-    self, Entry, Feature, Feed, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall,
+    self, Feature, Feed, FieldValue, ProbeSettings, SHORTEST_TOUCH, Surface, Touch, Tracer, Wall,
 };
 use crate::text::{Text, text, words};
 
@@ -138,7 +138,7 @@ impl Probed for Pairs {
         })
     }
 
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         for (side, names) in self.sides.iter().zip(self.names()) {
             let ((label, width_path), (clearance_label, clearance_path)) =
                 (names.width, names.clearance);
@@ -236,7 +236,7 @@ impl Probed for Pairs {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
+    fn place(&self, picks: &[Pick], plane: Plane) -> PlacedShape {
         let up = plane.basis()[2];
         let outwards = picks[0].vector * self.sign();
         let mut origin = (picks[0].point + picks[1].point) / 2.0;
@@ -263,14 +263,14 @@ impl Probed for Pairs {
             pairs.depth = (picks[2].point - picks[0].point).dot(up);
         }
         let rotation = picked_touches::heading(plane, outwards * self.directions()[0].0);
-        Placed {
+        PlacedShape {
             origin,
             rotation,
             shape: Shape::Pairs(pairs),
         }
     }
 
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer) {
         if !self.protected() {
             return from_middle(on, tracer, self.depth, self.top);
         }
@@ -298,7 +298,7 @@ impl Probed for Pairs {
 
     /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A single pair does not measure the
     /// position along its walls: the nominal position is used.
-    fn formula(&self, on: &Seated<'_>) -> Formula {
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula {
         let plane = on.setup.plane;
         let [a, o, w] = plane.axes();
         let origin = on.frame.origin;
@@ -355,7 +355,7 @@ impl Probed for Pairs {
                 0.0,
                 None,
             );
-            let datum = Datum::point((x, origin[a]), (y, origin[o]));
+            let datum = OffsetCorrection::point((x, origin[a]), (y, origin[o]));
             return f.finish(Some(datum));
         }
         let (along, width, u) = pair(0, ["width", "middle"]);
@@ -402,7 +402,7 @@ impl Probed for Pairs {
             self.sides[0].width,
             Some(width),
         );
-        let mut datum = Datum::of([Some(x), Some(y), None]);
+        let mut datum = OffsetCorrection::of([Some(x), Some(y), None]);
         if self.middle.is_some() {
             let top = f.set("top", f.trigger(2, w) - f.length(on.setup.radius));
             f.result(
@@ -417,7 +417,7 @@ impl Probed for Pairs {
         f.finish(Some(datum))
     }
 
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface> {
         let widths: Vec<f64> = self.sides.iter().map(|s| s.width).collect();
         // A single pair is drawn long enough to be visible.
         let half = crate::num::within(widths[0] / 2.0, 10.0, 40.0);
@@ -467,7 +467,7 @@ impl Probed for Pairs {
     }
 
     fn feature(&self) -> Feature {
-        let entry = |field, value| Entry { field, value };
+        let entry = |field, value| FieldValue { field, value };
         let side = |(side, names): (&Side, &Names)| path::Side {
             width: entry(names.width.1, side.width),
             clearance: side
@@ -482,7 +482,7 @@ impl Probed for Pairs {
         })
     }
 
-    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+    fn top(&self, on: &TouchLayout<'_>) -> Option<f64> {
         Some(on.frame.origin.dot(on.frame.w))
     }
 

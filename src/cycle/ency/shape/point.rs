@@ -2,12 +2,12 @@
 
 use crate::cycle::ency::picked_touches::{self, Pick};
 use crate::cycle::ency::shape::{
-    Placed, Probed, Seated, Shape, begin, clearance_rule, constant, lift,
+    PlacedShape, Probed, Shape, TouchLayout, begin, clearance_rule, constant, lift,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Datum, Draft, Formula, Role};
+use crate::formula::{Coordinate, Draft, Formula, OffsetCorrection, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{self, Feature, Feed, ProbeSettings, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// Field with the elevation of the target vector.
@@ -41,7 +41,7 @@ impl Probed for Point {
         text!("Point")
     }
 
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         clearance_rule(
             checker,
             setup,
@@ -57,7 +57,7 @@ impl Probed for Point {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
+    fn place(&self, picks: &[Pick], plane: Plane) -> PlacedShape {
         let vector = picks[0].vector;
         let elevation = crate::num::within(vector.dot(plane.basis()[2]), -1.0, 1.0)
             .asin()
@@ -71,14 +71,14 @@ impl Probed for Point {
             elevation: elevation.max(0.0),
             ..*self
         });
-        Placed {
+        PlacedShape {
             origin: picks[0].point,
             rotation,
             shape,
         }
     }
 
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer) {
         let touch = &on.touches[0];
         let start = touch.point + touch.vector * self.clearance;
         begin(on, tracer, start, 1);
@@ -87,7 +87,7 @@ impl Probed for Point {
     }
 
     /// The nominal point, shifted along the target vector by the measured displacement. Nothing is measured across the vector.
-    fn formula(&self, on: &Seated<'_>) -> Formula {
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula {
         let axes = on.setup.plane.axes();
         let touch = &on.touches[0];
         let (n, nominal) = (touch.vector, touch.contact(on.setup.radius));
@@ -140,10 +140,10 @@ impl Probed for Point {
             0.0,
             Some(off),
         );
-        f.finish(Some(Datum::of(place)))
+        f.finish(Some(OffsetCorrection::of(place)))
     }
 
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface> {
         let (n, up) = (on.touches[0].vector, on.frame.w);
         let along = up.cross(n).normalize_or(on.frame.u);
         vec![Surface::Flat(Wall {
@@ -165,7 +165,7 @@ impl Probed for Point {
         })
     }
 
-    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+    fn top(&self, on: &TouchLayout<'_>) -> Option<f64> {
         let touch = &on.touches[0];
         (touch.vector.dot(on.frame.w) > 1.0 - 1e-6).then(|| touch.point.dot(on.frame.w))
     }

@@ -2,12 +2,15 @@
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
-    Placed, Probed, Seated, Shape, begin, clearance_rule, from_middle, level_rules, lift, protected,
+    PlacedShape, Probed, Shape, TouchLayout, begin, clearance_rule, from_middle, level_rules, lift,
+    protected,
 };
 use crate::form::Checker;
-use crate::formula::{CirclePart, Datum, Draft, Formula, Role, fit_circle};
+use crate::formula::{CirclePart, Draft, Formula, OffsetCorrection, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec2, Vec3};
-use crate::path::{Bore, Entry, Feature, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
+use crate::path::{
+    Bore, Feature, FieldValue, ProbeSettings, Round, SHORTEST_TOUCH, Surface, Tracer,
+};
 use crate::text::{Text, text, words};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,7 +120,7 @@ impl Probed for Circle {
         text!("Point {number}", k + 1)
     }
 
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         if let Some(clearance) = self.clearance {
             clearance_rule(
                 checker,
@@ -226,7 +229,7 @@ impl Probed for Circle {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
+    fn place(&self, picks: &[Pick], plane: Plane) -> PlacedShape {
         let up = plane.basis()[2];
         let center = self.center(picks, plane);
         let origin = center + up * (picks[0].point.dot(up) + self.depth - center.dot(up));
@@ -248,14 +251,14 @@ impl Probed for Circle {
                 - picked_touches::heading(plane, first.vector);
             *step += crate::num::wrap_degrees(turn - *step);
         }
-        Placed {
+        PlacedShape {
             origin,
             rotation,
             shape: Shape::Circle(circle),
         }
     }
 
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer) {
         let Some(clearance) = self.clearance else {
             return from_middle(on, tracer, self.depth, self.top);
         };
@@ -268,7 +271,7 @@ impl Probed for Circle {
     }
 
     /// Least-squares circle through the ball centres, larger by the ball radius in a hole, smaller at a boss.
-    fn formula(&self, on: &Seated<'_>) -> Formula {
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula {
         let [a, o, _] = on.setup.plane.axes();
         let origin = on.frame.origin;
         let f = Draft::with_room_for(on.touches.len());
@@ -312,11 +315,11 @@ impl Probed for Circle {
         }
         let datum = x
             .zip(y)
-            .map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
+            .map(|(x, y)| OffsetCorrection::point((x, origin[a]), (y, origin[o])));
         f.finish(datum)
     }
 
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface> {
         let drawn_depth = self.depth + on.setup.radius;
         vec![Surface::Round(Round {
             center: on.frame.origin,
@@ -328,7 +331,7 @@ impl Probed for Circle {
     }
 
     fn feature(&self) -> Feature {
-        let entry = |field, value| Entry { field, value };
+        let entry = |field, value| FieldValue { field, value };
         Feature::Bore(Bore {
             diameter: entry("cycle.diameter", self.diameter),
             depth: entry("cycle.depth", self.depth),
@@ -342,7 +345,7 @@ impl Probed for Circle {
         })
     }
 
-    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+    fn top(&self, on: &TouchLayout<'_>) -> Option<f64> {
         Some(on.frame.origin.dot(on.frame.w))
     }
 }

@@ -3,12 +3,14 @@
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::corner::{self, ANGLE, CornerAngle, WALLS, sides_rule};
 use crate::cycle::ency::shape::{
-    Placed, Probed, Seated, Shape, begin, clearance_rule, constant, level_rules, lift,
+    PlacedShape, Probed, Shape, TouchLayout, begin, clearance_rule, constant, level_rules, lift,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
+use crate::formula::{Coordinate, Draft, Formula, Name, OffsetCorrection, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Corner, Entry, Feature, Feed, Setup, Surface, Top, Touched, Tracer, Wall};
+use crate::path::{
+    Corner, Feature, Feed, FieldValue, ProbeSettings, Surface, Top, Tracer, Wall, WallTouch,
+};
 use crate::text::{Text, text, words};
 
 /// A corner of two walls and a floor, or of two walls and a top side.
@@ -119,7 +121,7 @@ impl Probed for Triple {
         }
     }
 
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         let third = if self.internal() {
             ("Clearance 3", "cycle.clearance3")
         } else {
@@ -207,7 +209,7 @@ impl Probed for Triple {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
+    fn place(&self, picks: &[Pick], plane: Plane) -> PlacedShape {
         let origin = Self::meeting(picks).unwrap_or(picks[0].point);
         let (rotation, angle) =
             corner::from_normals(self.internal(), plane, [picks[0].vector, picks[1].vector]);
@@ -223,7 +225,7 @@ impl Probed for Triple {
                 inwards: [0, 1].map(|k| -(picks[2].point - origin).dot(picks[k].vector)),
             }
         });
-        Placed {
+        PlacedShape {
             origin,
             rotation,
             shape: Shape::Triple(Triple {
@@ -234,7 +236,7 @@ impl Probed for Triple {
         }
     }
 
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer) {
         let (_, (u, v)) = self.walls();
         let start = if self.internal() {
             on.touches[0].point + on.touches[0].vector * self.clearances[0]
@@ -262,7 +264,7 @@ impl Probed for Triple {
 
     /// Each surface keeps its nominal direction n and is one ball radius behind its trigger: n·p = q. The corner is the intersection of the three planes: Σ
     /// q·(cross product of the other two normals) / triple product of the normals.
-    fn formula(&self, on: &Seated<'_>) -> Formula {
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula {
         let axes = on.setup.plane.axes();
         let n = [0, 1, 2].map(|k| on.touches[k].vector);
         let det = n[0].dot(n[1].cross(n[2]));
@@ -312,10 +314,10 @@ impl Probed for Triple {
             f.result(code, role, meaning, nominal[axis], Some(value));
             place[i] = Some(Coordinate::measured(value, crate::num::tidy(nominal[axis])));
         }
-        f.finish(Some(Datum::of(place)))
+        f.finish(Some(OffsetCorrection::of(place)))
     }
 
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface> {
         let margin = 3.0 * on.setup.radius.max(2.0);
         let (sides, _) = self.walls();
         // All surfaces get the same length, so that they meet at their ends.
@@ -367,7 +369,7 @@ impl Probed for Triple {
     fn feature(&self) -> Feature {
         let mut walls = WALLS.to_vec();
         if self.internal() {
-            walls.push(Touched {
+            walls.push(WallTouch {
                 clearance: "cycle.clearance3",
                 step: None,
                 distance: None,
@@ -378,7 +380,7 @@ impl Probed for Triple {
             clearance: "cycle.topClearance",
             inwards: ["cycle.topDistance1", "cycle.topDistance2"],
         });
-        let angle = Entry {
+        let angle = FieldValue {
             field: ANGLE,
             value: self.angle.degrees,
         };
@@ -390,7 +392,7 @@ impl Probed for Triple {
         })
     }
 
-    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+    fn top(&self, on: &TouchLayout<'_>) -> Option<f64> {
         self.outside.map(|_| on.frame.origin.dot(on.frame.w))
     }
 

@@ -1,11 +1,11 @@
 //! Rows of the table without any motion.
 
 use crate::cycle::ency::Pick;
-use crate::cycle::ency::shape::{Placed, Probed, Seated};
+use crate::cycle::ency::shape::{PlacedShape, Probed, TouchLayout};
 use crate::form::Checker;
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Setup, Surface, Tracer};
+use crate::path::{Feature, ProbeSettings, Surface, Tracer};
 use crate::text::Text;
 
 /// No touch and no move.
@@ -20,21 +20,21 @@ impl Probed for Unmoving {
         Text::words("")
     }
 
-    fn rules(&self, _setup: &Setup, _checker: &mut Checker) {}
+    fn rules(&self, _setup: &ProbeSettings, _checker: &mut Checker) {}
 
     fn check(&self, _picks: &[Pick], _plane: Plane, _checker: &mut Checker) {}
 
-    fn place(&self, _picks: &[Pick], _plane: Plane) -> Placed {
-        Placed::default()
+    fn place(&self, _picks: &[Pick], _plane: Plane) -> PlacedShape {
+        PlacedShape::default()
     }
 
-    fn walk(&self, _on: &Seated<'_>, _tracer: &mut Tracer) {}
+    fn plan_steps(&self, _on: &TouchLayout<'_>, _tracer: &mut Tracer) {}
 
-    fn formula(&self, _on: &Seated<'_>) -> Formula {
+    fn formula(&self, _on: &TouchLayout<'_>) -> Formula {
         Formula::default()
     }
 
-    fn surfaces(&self, _on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, _on: &TouchLayout<'_>) -> Vec<Surface> {
         Vec::new()
     }
 

@@ -1,11 +1,13 @@
 //! A wall touched twice: its direction.
 
 use crate::cycle::ency::picked_touches::{self, Pick};
-use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, flat, lift};
+use crate::cycle::ency::shape::{
+    PlacedShape, Probed, Shape, TouchLayout, begin, clearance_rule, flat, lift,
+};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Formula, Role};
+use crate::formula::{Draft, Formula, OffsetCorrection, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Entry, Feature, Feed, Setup, Straight, Surface, Tracer, Wall};
+use crate::path::{Feature, Feed, FieldValue, ProbeSettings, Surface, Tracer, Wall, WallFeature};
 use crate::text::{Text, words};
 
 const DISTANCE: &str = "cycle.distance";
@@ -46,7 +48,7 @@ impl Probed for TwoTouches {
         })
     }
 
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         clearance_rule(checker, setup, "Clearance", self.clearance, CLEARANCE);
     }
 
@@ -55,15 +57,15 @@ impl Probed for TwoTouches {
     }
 
     /// Its touches cannot be picked.
-    fn place(&self, picks: &[Pick], _plane: Plane) -> Placed {
-        Placed {
+    fn place(&self, picks: &[Pick], _plane: Plane) -> PlacedShape {
+        PlacedShape {
             origin: picks[0].point,
             rotation: 0.0,
             shape: Shape::Wall(*self),
         }
     }
 
-    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
+    fn plan_steps(&self, on: &TouchLayout<'_>, tracer: &mut Tracer) {
         let at = |along: f64| on.frame.point(self.clearance, along, 0.0);
         begin(on, tracer, at(0.0), 1);
         for (k, along) in self.places().into_iter().enumerate() {
@@ -75,7 +77,7 @@ impl Probed for TwoTouches {
     }
 
     /// The line through both ball centres is parallel to the wall.
-    fn formula(&self, on: &Seated<'_>) -> Formula {
+    fn formula(&self, on: &TouchLayout<'_>) -> Formula {
         let [a, o, _] = on.setup.plane.axes();
         let (normal, along) = (
             flat(on.setup.plane, on.frame.u),
@@ -105,14 +107,14 @@ impl Probed for TwoTouches {
             nominal,
             Some(rotation),
         );
-        let datum = Datum {
+        let datum = OffsetCorrection {
             rotation: Some(turn.variable),
-            ..Datum::of([None; 3])
+            ..OffsetCorrection::of([None; 3])
         };
         f.finish(Some(datum))
     }
 
-    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+    fn surfaces(&self, on: &TouchLayout<'_>) -> Vec<Surface> {
         let reach = self.distance / 2.0 + 3.0 * on.setup.radius.max(2.0);
         vec![Surface::Flat(Wall {
             point: on.frame.origin,
@@ -126,8 +128,8 @@ impl Probed for TwoTouches {
     }
 
     fn feature(&self) -> Feature {
-        Feature::Wall(Straight {
-            distance: Entry {
+        Feature::Wall(WallFeature {
+            distance: FieldValue {
                 field: DISTANCE,
                 value: self.distance,
             },

@@ -1,6 +1,6 @@
 //! Forms of 1411, of the touch probe table's row and of 1493, with the meanings of their codes.
 
-use crate::form::{Code, Field, Seen, SubForm, form};
+use crate::form::{BestView, Code, Field, SubForm, form};
 use crate::geom::Vec3;
 use crate::tolerance::Nominal;
 
@@ -152,13 +152,13 @@ form! {
         /// Number of probe points? On each circle.
         probe_points: i32 = Field::count("probePoints", "No. of probe points", 4, 3, 8).code("Q423").group("Probing"),
         /// Starting angle? From the main axis to the first touch.
-        starting_angle: f64 = Field::angle("startingAngle", "Starting angle", 0.0).seen(Seen::Turning).code("Q325").group("Probing"),
+        starting_angle: f64 = Field::angle("startingAngle", "Starting angle", 0.0).seen(BestView::Rotation).code("Q325").group("Probing"),
         /// Arc angular length? Over which the touches are spread; negative is clockwise.
-        angular_length: f64 = Field::angle("angularLength", "Angular length", 360.0).seen(Seen::Turning).range(-359.999, 360.0).code("Q1119").group("Probing"),
+        angular_length: f64 = Field::angle("angularLength", "Angular length", 360.0).seen(BestView::Rotation).range(-359.999, 360.0).code("Q1119").group("Probing"),
         /// Set-up clearance? Added to SET_UP and the ball radius.
-        set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).seen(Seen::Turning).range(0.0, 99_999.999_9).usual(0.0, 50.0).code("Q320").group("Heights"),
+        set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).seen(BestView::Rotation).range(0.0, 99_999.999_9).usual(0.0, 50.0).code("Q320").group("Heights"),
         /// Clearance height? A height free of obstacles.
-        clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).seen(Seen::Upright).range(-99_999.999_9, 99_999.999_9).code("Q260").group("Heights"),
+        clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).seen(BestView::Height).range(-99_999.999_9, 99_999.999_9).code("Q260").group("Heights"),
         /// Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show.
         set_up_clearance_predef: bool = Field::flag("setUpClearancePredef", "Set-up clearance: PREDEF", false).group("Heights"),
         /// Q260=PREDEF: the control takes the clearance height from GLOBAL DEF. The number above is then only what the moves show.

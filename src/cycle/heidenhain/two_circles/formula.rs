@@ -1,8 +1,8 @@
 //! Results of 1411, as the control computes them.
 
-use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
-use crate::formula::{CirclePart, Coordinate, Datum, Draft, Formula, Name, Role, Value};
-use crate::path::Setup;
+use crate::cycle::heidenhain::two_circles::{Object, PositionSource, TwoCircles};
+use crate::formula::{CirclePart, Coordinate, Draft, Formula, Name, OffsetCorrection, Role, Value};
+use crate::path::ProbeSettings;
 use crate::text::words;
 
 /// Codes and meanings of the rows of each object.
@@ -64,13 +64,13 @@ fn q(code: &str) -> Name {
 
 impl TwoCircles {
     /// The formula: both circles, the rotation of the line through their centres, deviations, and the written values.
-    pub(super) fn computed(&self, setup: &Setup) -> Formula {
+    pub(super) fn computed(&self, setup: &ProbeSettings) -> Formula {
         let f = Draft::with_room_for(2 * self.form.probe_points as usize);
         let mut first = 0;
         let objects = self.objects();
         let measured = [&objects[0], &objects[1]].map(|object| {
             let measured = self.measured(&f, object, first, setup);
-            if object.state == State::Probed {
+            if object.state == PositionSource::Probed {
                 first += self.form.probe_points as usize;
             }
             measured
@@ -152,16 +152,16 @@ impl TwoCircles {
         f: &'f Draft,
         object: &Object,
         first: usize,
-        setup: &Setup,
+        setup: &ProbeSettings,
     ) -> Measured<'f> {
         let number = object.number;
         match object.state {
-            State::Semi => Measured {
+            PositionSource::SemiAutomatic => Measured {
                 centre: [None, None, None],
                 diameter: None,
                 residual: None,
             },
-            State::Given => {
+            PositionSource::Entered => {
                 let at = |axis: usize| {
                     let actual = object.point[axis].actual?;
                     Some(f.set(
@@ -175,7 +175,7 @@ impl TwoCircles {
                     residual: None,
                 }
             }
-            State::Probed => {
+            PositionSource::Probed => {
                 let [a, o, _] = setup.plane.axes();
                 let count = self.form.probe_points as usize;
                 let part = |part| f.circle((first, count), (a, o), part);
@@ -225,7 +225,7 @@ impl TwoCircles {
         objects: &[Object; 2],
         measured: &[Measured<'f>; 2],
         rotation: Option<Value<'f>>,
-    ) -> Datum {
+    ) -> OffsetCorrection {
         let form = &self.form;
         let mut place = [None, None, None];
         if form.transfer_position != 0 {
@@ -304,7 +304,7 @@ impl TwoCircles {
         let rotation = rotation
             .filter(|_| form.confirm_rotation == 1)
             .map(|value| value.variable);
-        Datum {
+        OffsetCorrection {
             place,
             in_results: true,
             rotation,

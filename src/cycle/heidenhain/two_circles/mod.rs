@@ -17,8 +17,8 @@ use crate::form::Checker;
 use crate::formula::{Formula, ResultRow};
 use crate::geom::{Frame, Vec3};
 use crate::path::{
-    self, DatumSource, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH,
-    Setting, Setup, Spread, Subject, Surface, Touch,
+    self, DatumSource, Feature, FeatureKind, Feeds, Parameter, ParameterValue, Path, ProbeSettings,
+    Round, SHORTEST_TOUCH, Setting, Spread, Surface, Touch,
 };
 use crate::text::words;
 use crate::tolerance::Nominal;
@@ -26,18 +26,18 @@ use crate::tolerance::Nominal;
 pub static DEF: CycleDef = CycleDef {
     key: "probing-two-circles",
     title: "Probing two circles",
-    says: "Two bores or studs: the line through their centres gives the rotation of the part.",
-    also: "two holes bores studs rings bolt circle alignment angle skew rotation",
+    summary: "Two bores or studs: the line through their centres gives the rotation of the part.",
+    search_words: "two holes bores studs rings bolt circle alignment angle skew rotation",
     name: "CIRCLES",
     source: "HEIDENHAIN cycle 1411",
-    probes: Subject::TwoCircles,
+    probes: FeatureKind::TwoCircles,
     own_feeds: true,
     number: None,
     most_touches: 2 * 8 * 99,
     place: None,
     fields: Form::FIELDS,
     sections: &[PROBE, EXTRUSION, REPEAT],
-    home: ("heidenhain", "cycle"),
+    default_control: ("heidenhain", "cycle"),
     steps: &[
         "At rapid, with positioning logic, to centre 1",
         "Positioning logic: from below the clearance height first up to it, then in the plane; from above in the plane, then down",
@@ -48,7 +48,7 @@ pub static DEF: CycleDef = CycleDef {
         "At the probing feed down to the measuring height, and touch the second hole or stud",
         "Where the clearance height mode says so, back to the clearance height; the results are stored",
     ],
-    readings: &[
+    interpretations: &[
         "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3, the parameters of 1493, that PREDEF stands for a value \
          of GLOBAL DEF, and that Q1125 of 1 or 2 does not count for a semi-automatic object are recalled from the control's manuals and \
          not seen in print; they are not verified on a control.",
@@ -115,12 +115,12 @@ pub struct TwoCircles {
 
 /// Source of an object's position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
+enum PositionSource {
     Probed,
     /// Unknown: the operator moves the probe to the object.
-    Semi,
+    SemiAutomatic,
     /// Given: the object is not probed.
-    Given,
+    Entered,
 }
 
 /// One hole or stud.
@@ -132,7 +132,7 @@ struct Object {
     point: [Nominal; 3],
     diameter: Nominal,
     hole: bool,
-    state: State,
+    state: PositionSource,
 }
 
 impl Object {
@@ -154,7 +154,7 @@ impl Object {
 
     /// Whether a coordinate is measured or given.
     fn measures(&self, axis: usize) -> bool {
-        axis < 2 || self.state == State::Given
+        axis < 2 || self.state == PositionSource::Entered
     }
 
     fn nominal_diameter(&self) -> f64 {
@@ -176,11 +176,11 @@ impl TwoCircles {
         ];
         let object = |number: usize, point: &[Nominal; 3], diameter: &Nominal| {
             let state = if point.iter().any(|v| v.unknown) {
-                State::Semi
+                PositionSource::SemiAutomatic
             } else if point.iter().any(|v| v.actual.is_some()) {
-                State::Given
+                PositionSource::Entered
             } else {
-                State::Probed
+                PositionSource::Probed
             };
             Object {
                 number,
@@ -223,16 +223,16 @@ impl TwoCircles {
     }
 
     /// Stand-off in the probing direction, mm, from surface to ball centre.
-    fn stand_off(&self, setup: &Setup) -> f64 {
+    fn stand_off(&self, setup: &ProbeSettings) -> f64 {
         self.form.set_up_clearance + self.probe.set_up + setup.radius
     }
 
-    fn frame(setup: &Setup) -> Frame {
+    fn frame(setup: &ProbeSettings) -> Frame {
         Frame::new(setup.plane, Vec3::ZERO, 0.0)
     }
 
     /// Height of the ball centre without contact: the clearance height. Mode −1 never uses it; then the height from which the stylus comes.
-    fn free_height(&self, setup: &Setup) -> f64 {
+    fn free_height(&self, setup: &ProbeSettings) -> f64 {
         if self.form.clearance_height_mode >= 0 {
             return self.form.clearance_height;
         }
@@ -273,7 +273,7 @@ impl TwoCircles {
     }
 
     /// Line from nominal centre to nominal centre.
-    fn line(&self, setup: &Setup) -> Option<[Vec3; 2]> {
+    fn line(&self, setup: &ProbeSettings) -> Option<[Vec3; 2]> {
         let frame = Self::frame(setup);
         let [one, two] = self.objects();
         let ([a1, o1, w1], [a2, o2, w2]) = (one.place()?, two.place()?);
@@ -281,9 +281,9 @@ impl TwoCircles {
     }
 
     /// Angles of the touches, as the first probed circle shows them.
-    fn spread(&self, setup: &Setup) -> Option<Spread> {
+    fn spread(&self, setup: &ProbeSettings) -> Option<Spread> {
         let objects = self.objects();
-        let object = objects.iter().find(|o| o.state == State::Probed)?;
+        let object = objects.iter().find(|o| o.state == PositionSource::Probed)?;
         let [a, o, w] = object.place()?;
         Some(Spread {
             center: Self::frame(setup).point(a, o, w),
@@ -295,7 +295,7 @@ impl TwoCircles {
     }
 
     /// The feature for a control that has the cycle itself.
-    fn feature(&self, setup: &Setup) -> path::TwoCircles {
+    fn feature(&self, setup: &ProbeSettings) -> path::TwoCircles {
         let [extrusion, settings] = self.settings().map(|list| {
             list.into_iter()
                 .map(|(setting, _)| setting)
@@ -305,7 +305,10 @@ impl TwoCircles {
             diameters: DIAMETERS,
             line: self.line(setup),
             spread: self.spread(setup),
-            semi_automatic: self.objects().iter().any(|o| o.state == State::Semi),
+            semi_automatic: self
+                .objects()
+                .iter()
+                .any(|o| o.state == PositionSource::SemiAutomatic),
             reacts: self.form.error_reaction != 0,
             toleranced: settings
                 .iter()
@@ -318,11 +321,11 @@ impl TwoCircles {
 }
 
 impl Cycle for TwoCircles {
-    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn rules(&self, setup: &ProbeSettings, checker: &mut Checker) {
         self.check(setup, checker);
     }
 
-    fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
+    fn predefined_fields(&self) -> Vec<(&'static str, &'static str)> {
         let set_up = self.form.set_up_clearance_predef.then_some((
             "cycle.setUpClearancePredef",
             words!("set-up clearance (Q320)"),
@@ -334,7 +337,7 @@ impl Cycle for TwoCircles {
         set_up.into_iter().chain(height).collect()
     }
 
-    fn plan(&self, setup: &Setup) -> Path {
+    fn plan(&self, setup: &ProbeSettings) -> Path {
         let (touches, moves) = planner::Planner::new(self, setup).run();
         Path {
             touches,
@@ -353,26 +356,26 @@ impl Cycle for TwoCircles {
             }),
             feature: Feature::TwoCircles(Box::new(self.feature(setup))),
             picked: false,
-            own: None,
-            members: Vec::new(),
+            calls: None,
+            cycles: Vec::new(),
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
-            lift: None,
+            lift_field: None,
             frame: Self::frame(setup),
             formula: self.computed(setup),
         }
     }
 
-    fn formula(&self, setup: &Setup) -> Formula {
+    fn formula(&self, setup: &ProbeSettings) -> Formula {
         self.computed(setup)
     }
 
-    fn parameters(&self, _setup: &Setup, _touches: &[Touch]) -> Vec<Parameter> {
+    fn parameters(&self, _setup: &ProbeSettings, _touches: &[Touch]) -> Vec<Parameter> {
         rows(self.settings())
     }
 
-    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
+    fn surfaces(&self, setup: &ProbeSettings) -> Vec<Surface> {
         let frame = Self::frame(setup);
         // The position of the stylus before the cycle is free, too.
         let free = self
@@ -384,7 +387,11 @@ impl Cycle for TwoCircles {
             .iter()
             .fold(0f64, |most, shift| most.max(shift[2]));
         let objects = self.objects();
-        let place = |object: &Object| object.place().filter(|_| object.state != State::Semi);
+        let place = |object: &Object| {
+            object
+                .place()
+                .filter(|_| object.state != PositionSource::SemiAutomatic)
+        };
         let known = |object: &Object, other: &Object| {
             let Some([a, o, w]) = place(object) else {
                 return Surface::Unknown;
@@ -415,7 +422,7 @@ impl Cycle for TwoCircles {
         vec![known(one, two), known(two, one)]
     }
 
-    fn resized(&self, _setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+    fn resized(&self, _setup: &ProbeSettings, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
         let mut resized = self.clone();
         let size = match key {
             "diameter1" => &mut resized.form.diameter1,
@@ -427,9 +434,9 @@ impl Cycle for TwoCircles {
         (diameter > 0.0).then(|| Box::new(resized) as Box<dyn Cycle>)
     }
 
-    fn judge(
+    fn add_verdicts(
         &self,
-        setup: &Setup,
+        setup: &ProbeSettings,
         path: &Path,
         triggers: &[Option<Vec3>],
         rows: &mut Vec<ResultRow>,

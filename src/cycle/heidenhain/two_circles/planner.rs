@@ -2,15 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
+use crate::cycle::heidenhain::two_circles::{Object, PositionSource, TwoCircles};
 use crate::geom::{Frame, Vec3};
-use crate::path::{Arc, Feed, Move, Setup, Touch, Tracer};
+use crate::path::{Arc, Feed, Move, ProbeSettings, Touch, Tracer};
 
 /// Arcs with a smaller radius or chord, in mm, become straight moves.
 const SMALLEST_ARC: f64 = 0.02;
 
 /// A start point of the ball before a touch.
-struct Stand {
+struct TouchStart {
     /// Ball centre before the touch, at measuring height.
     at: Vec3,
     /// Angle of the touch about the centre, radians.
@@ -22,7 +22,7 @@ struct Stand {
 /// Plans the path of both objects.
 pub struct Planner<'a> {
     cycle: &'a TwoCircles,
-    setup: &'a Setup,
+    setup: &'a ProbeSettings,
     frame: Frame,
     tracer: Tracer,
     touches: Vec<Touch>,
@@ -30,7 +30,7 @@ pub struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    pub fn new(cycle: &'a TwoCircles, setup: &'a Setup) -> Self {
+    pub fn new(cycle: &'a TwoCircles, setup: &'a ProbeSettings) -> Self {
         Planner {
             cycle,
             setup,
@@ -47,7 +47,7 @@ impl<'a> Planner<'a> {
         let objects = self.cycle.objects();
         let probed: Vec<&Object> = objects
             .iter()
-            .filter(|o| o.state == State::Probed)
+            .filter(|o| o.state == PositionSource::Probed)
             .collect();
         for (i, object) in probed.iter().enumerate() {
             let stands = self.placed_at(object);
@@ -90,7 +90,7 @@ impl<'a> Planner<'a> {
     }
 
     /// Probes one object: every touch from its start point, with the moves between start points.
-    fn probe(&mut self, object: &Object, stands: &[Stand], step: u8) {
+    fn probe(&mut self, object: &Object, stands: &[TouchStart], step: u8) {
         let mode = self.cycle.form.clearance_height_mode;
         for (k, stand) in stands.iter().enumerate() {
             if k > 0 {
@@ -163,7 +163,7 @@ impl<'a> Planner<'a> {
     }
 
     /// From one start to the next at measuring height, along the arc of the stand-off radius: a chord could cut a stud.
-    fn around(&mut self, object: &Object, from: &Stand, to: &Stand, step: u8) {
+    fn around(&mut self, object: &Object, from: &TouchStart, to: &TouchStart, step: u8) {
         let w = self.frame.w;
         let at = self.tracer.place().expect("the cycle has begun");
         // The extrusion may have left the ball away from its start.
@@ -195,7 +195,7 @@ impl<'a> Planner<'a> {
         self.frame.point(a, o, w)
     }
 
-    fn placed_at(&mut self, object: &Object) -> Vec<Stand> {
+    fn placed_at(&mut self, object: &Object) -> Vec<TouchStart> {
         let (setup, cycle, frame) = (self.setup, self.cycle, self.frame);
         let centre = self.centre(object);
         let radius = object.nominal_diameter() / 2.0;
@@ -226,7 +226,7 @@ impl<'a> Planner<'a> {
                     (centre + out * stand_off + *shift, touch)
                 });
                 let touches: Vec<(Vec3, Touch)> = touches.collect();
-                Stand {
+                TouchStart {
                     at: touches[0].0,
                     angle,
                     touches,

@@ -1,9 +1,9 @@
 //! Rules of 1411 that concern several fields.
 
-use crate::cycle::heidenhain::two_circles::{DIAMETERS, Object, State, TwoCircles};
+use crate::cycle::heidenhain::two_circles::{DIAMETERS, Object, PositionSource, TwoCircles};
 use crate::form::Checker;
 use crate::geom::Vec2;
-use crate::path::{SHORTEST_TOUCH, Setup};
+use crate::path::{ProbeSettings, SHORTEST_TOUCH};
 use crate::text::{text, words};
 
 const POINTS: [&str; 2] = ["cycle.point1", "cycle.point2"];
@@ -17,7 +17,7 @@ const PLACES_AND_SIZES: &[&str] = &[
 /// A rule, and the fields without which it cannot be checked.
 type Rule = (
     &'static [&'static str],
-    fn(&TwoCircles, &Setup, &mut Checker),
+    fn(&TwoCircles, &ProbeSettings, &mut Checker),
 );
 
 /// All rules, in the order of their findings.
@@ -43,7 +43,7 @@ fn apart(p: &[f64], q: &[f64]) -> f64 {
 
 impl TwoCircles {
     /// Reports every broken rule.
-    pub(super) fn check(&self, setup: &Setup, checker: &mut Checker) {
+    pub(super) fn check(&self, setup: &ProbeSettings, checker: &mut Checker) {
         for (needs, rule) in RULES {
             if checker.is_clean(needs) {
                 rule(self, setup, checker);
@@ -52,10 +52,10 @@ impl TwoCircles {
     }
 
     /// Rules for each object alone.
-    fn objects_rule(&self, setup: &Setup, checker: &mut Checker) {
+    fn objects_rule(&self, setup: &ProbeSettings, checker: &mut Checker) {
         for ((object, point), diameter) in self.objects().iter().zip(POINTS).zip(DIAMETERS) {
             object_rules(object, point, diameter, checker);
-            if object.state == State::Probed
+            if object.state == PositionSource::Probed
                 && checker.is_clean(&[
                     diameter,
                     "stylus.diameter",
@@ -71,7 +71,7 @@ impl TwoCircles {
         }
     }
 
-    fn arc_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn arc_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         if self.form.angular_length == 0.0 {
             checker.error(
                 "no-arc",
@@ -81,7 +81,7 @@ impl TwoCircles {
         }
     }
 
-    fn alignment_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn alignment_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         if self.form.align_rotary_axis != 0 && self.form.confirm_rotation == 0 {
             let message = text!(
                 "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise"
@@ -90,7 +90,7 @@ impl TwoCircles {
         }
     }
 
-    fn direction_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn direction_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         let [one, two] = self.objects().map(|object| object.place());
         if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
             let message = text!(
@@ -100,7 +100,7 @@ impl TwoCircles {
         }
     }
 
-    fn given_direction_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn given_direction_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         let [one, two] = self
             .objects()
             .map(|object| Some([object.point[0].actual?, object.point[1].actual?]));
@@ -113,9 +113,9 @@ impl TwoCircles {
     }
 
     /// No probed circle may lie wholly inside the other.
-    fn containing_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn containing_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         let [one, two] = self.objects();
-        let (Some(p), Some(q), State::Probed, State::Probed) =
+        let (Some(p), Some(q), PositionSource::Probed, PositionSource::Probed) =
             (one.place(), two.place(), one.state, two.state)
         else {
             return;
@@ -133,7 +133,7 @@ impl TwoCircles {
         }
     }
 
-    fn extrusion_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn extrusion_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         let Some(extrusion) = self
             .extrusion
             .as_ref()
@@ -153,7 +153,7 @@ impl TwoCircles {
     }
 
     /// Touches must be apart, and too short an arc makes the circle uncertain.
-    fn spread_rule(&self, _setup: &Setup, checker: &mut Checker) {
+    fn spread_rule(&self, _setup: &ProbeSettings, checker: &mut Checker) {
         const NEAREST: f64 = 1.0;
         const DOUBTFUL: f64 = 5.0;
         if self.form.angular_length == 0.0 {
@@ -198,7 +198,7 @@ impl TwoCircles {
     }
 
     /// Distance from the start of a touch to the nominal wall of an object.
-    fn way(&self, object: &Object, setup: &Setup) -> f64 {
+    fn way(&self, object: &Object, setup: &ProbeSettings) -> f64 {
         let own = self.stand_off(setup) - setup.radius;
         if object.hole {
             own.min(object.nominal_diameter() / 2.0 - setup.radius)
@@ -212,7 +212,7 @@ impl TwoCircles {
         &self,
         object: &Object,
         [point, diameter]: [&'static str; 2],
-        setup: &Setup,
+        setup: &ProbeSettings,
         checker: &mut Checker,
     ) {
         let (number, way) = (object.number, self.way(object, setup));
@@ -273,7 +273,7 @@ impl TwoCircles {
         &self,
         object: &Object,
         diameter_path: &str,
-        setup: &Setup,
+        setup: &ProbeSettings,
         checker: &mut Checker,
     ) {
         let (number, diameter) = (object.number, object.nominal_diameter());
@@ -329,7 +329,7 @@ impl TwoCircles {
     }
 
     /// Checks the clearance height against the measuring heights, and gives the notice of the manual.
-    fn height_rule(&self, setup: &Setup, checker: &mut Checker) {
+    fn height_rule(&self, setup: &ProbeSettings, checker: &mut Checker) {
         let mode = self.form.clearance_height_mode;
         let extrusion = self
             .repeats()
@@ -340,7 +340,7 @@ impl TwoCircles {
                 continue;
             };
             if mode >= 0
-                && object.state == State::Probed
+                && object.state == PositionSource::Probed
                 && checker.is_clean(&[path, "cycle.clearanceHeight"])
             {
                 let highest = height + extrusion;
@@ -403,7 +403,7 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
         checker.error("not-a-value", diameter, message);
     }
     match object.state {
-        State::Semi => {
+        PositionSource::SemiAutomatic => {
             let message = text!(
                 "Object {number} is semi-automatic: the control stops there and the operator moves the probe to it; no path can \
                  be shown, and results that need it are not known. Clearance height modes 1 and 2 are not used for it",
@@ -411,13 +411,13 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
             );
             checker.info("semi-automatic", point, message);
         }
-        State::Given => {
+        PositionSource::Entered => {
             let message = text!(
                 "The position of object {number} is given: it is not probed, and its diameter is not measured",
                 number
             );
             checker.info("given-position", point, message);
         }
-        State::Probed => {}
+        PositionSource::Probed => {}
     }
 }

@@ -1,16 +1,16 @@
 //! Verdicts of 1411, the rows for single touches, and the form error.
 
-use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
+use crate::cycle::heidenhain::two_circles::{Object, PositionSource, TwoCircles};
 use crate::formula::{CircleFit, ResultRow, Unit, fit_circle};
 use crate::geom::{Vec2, Vec3};
-use crate::path::{Path, Setup};
+use crate::path::{Path, ProbeSettings};
 use crate::text::{Text, text, words};
 use crate::tolerance::Nominal;
 
 /// Adds verdicts, Q183, the deviations of the extrusion, and the form error of each circle (our addition).
 pub fn judge(
     cycle: &TwoCircles,
-    setup: &Setup,
+    setup: &ProbeSettings,
     path: &Path,
     triggers: &[Option<Vec3>],
     rows: &mut Vec<ResultRow>,
@@ -29,7 +29,7 @@ pub fn judge(
         {
             whole &= give(rows, code, value, false, object.hole, &mut worst);
         }
-        if object.state != State::Given {
+        if object.state != PositionSource::Entered {
             whole &= give(
                 rows,
                 ["Q966", "Q967"][object.number - 1],
@@ -45,7 +45,7 @@ pub fn judge(
     } else {
         unknown()
     });
-    for object in objects.iter().filter(|o| o.state == State::Probed) {
+    for object in objects.iter().filter(|o| o.state == PositionSource::Probed) {
         single_rows(cycle, object, setup, path, triggers, rows);
     }
 }
@@ -131,7 +131,7 @@ fn word(status: i32) -> Text {
 fn single_rows(
     cycle: &TwoCircles,
     object: &Object,
-    setup: &Setup,
+    setup: &ProbeSettings,
     path: &Path,
     triggers: &[Option<Vec3>],
     rows: &mut Vec<ResultRow>,

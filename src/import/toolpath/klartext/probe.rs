@@ -5,12 +5,12 @@
 use crate::control::heidenhain::cycles;
 use crate::control::native::{self, Unit};
 use crate::import::toolpath::reader::Reader;
-use crate::path::Reach;
+use crate::path::ProbeTable;
 
 /// Search distance past the contact, mm: DIST of the table, which is unknown.
-const REACH: Reach = Reach {
+const REACH: ProbeTable = ProbeTable {
     set_up: 0.0,
-    behind: 10.0,
+    overtravel: 10.0,
 };
 
 /// Makes the moves of a cycle; false if they are unknown, or a parameter is missing.

@@ -5,12 +5,12 @@
 //! Okuma, and the variables that save results.
 
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::own::OwnCycles;
+use crate::control::own::NativeCycles;
 use crate::control::renishaw::cycles;
 use crate::control::renishaw::post::{self, CALLS, Calls, variable};
-use crate::control::{BASE, Form, ORIENT, PostDef, Request, number, offsets};
+use crate::control::{BASE, ORIENT, PostDef, ProgramForm, Request, number, offsets};
 use crate::form::Checker;
-use crate::path::{Stored, Subject};
+use crate::path::{FeatureKind, Stored};
 use crate::text::{text, words};
 
 /// Macros that no source shows on a Brother or an Okuma.
@@ -58,7 +58,7 @@ pub(super) static HURCO: PostDef = PostDef {
     extension: "hnc",
     work_offsets: offsets::STANDARD,
     serves: |subject, form| match (subject, form) {
-        (Subject::Switch, Form::Cycle) => Err(words!(
+        (FeatureKind::Switch, ProgramForm::Cycle) => Err(words!(
             "the control switches the probe by itself at the tool change"
         )),
         _ => serves(subject, form),
@@ -133,13 +133,13 @@ static OKUMA_CALLS: Calls = Calls {
     ..CALLS
 };
 
-static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
-static BROTHER_OWN: OwnCycles = OwnCycles {
+static OWN: NativeCycles = cycles(offsets::letter, |stored| variable(135, stored));
+static BROTHER_OWN: NativeCycles = NativeCycles {
     word: |number, letter| format!("P{} {letter}", number.saturating_sub(1000)),
     ..cycles(offsets::letter, |stored| variable(135, stored))
 };
-static HURCO_OWN: OwnCycles = cycles(offsets::letter, |stored| variable(185, stored));
-static OKUMA_OWN: OwnCycles = OwnCycles {
+static HURCO_OWN: NativeCycles = cycles(offsets::letter, |stored| variable(185, stored));
+static OKUMA_OWN: NativeCycles = NativeCycles {
     word: |number, letter| format!("O{number} P{letter}"),
     ..cycles(f64::from, |stored| match stored {
         Stored::Output(output) => format!("VS{}", 75 + output),
@@ -147,15 +147,17 @@ static OKUMA_OWN: OwnCycles = OwnCycles {
     })
 };
 
-fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
-        (_, Form::Moves) => Err(words!(
+        (_, ProgramForm::Moves) => Err(words!(
             "no source says how the control answers a program that asks for modes, tool length and contacts"
         )),
-        (Subject::Wall, Form::Cycle) => Err(words!(
+        (FeatureKind::Wall, ProgramForm::Cycle) => Err(words!(
             "the macro for the angle of a wall, 9843, is read and drawn, and not written"
         )),
-        (Subject::Action, Form::Cycle) => Err(words!("a line for the control is not a cycle")),
+        (FeatureKind::Action, ProgramForm::Cycle) => {
+            Err(words!("a line for the control is not a cycle"))
+        }
         _ => Ok(()),
     }
 }

@@ -1,10 +1,12 @@
 //! Turns the executed moves of native cycles into a path.
 
-use super::machine::{Alarm, Kind, Machine, Made};
-use super::{Meets, Outcome, OwnRequest};
+use super::machine::{Alarm, ExecutedMove, Machine, MoveKind};
+use super::{ContactQuery, NativeRequest, NativeRun};
 use crate::formula::Role;
 use crate::geom::Vec3;
-use crate::path::{Feed, Guard, Move, Own, OwnBlock, Path, Purpose, Reach, Stored, Touch};
+use crate::path::{
+    CallBlock, CallSequence, Feed, Guard, Move, MovePurpose, Path, ProbeTable, Stored, Touch,
+};
 
 /// Tolerance for equal directions.
 const NEAR: f64 = 1e-6;
@@ -17,10 +19,10 @@ pub fn is_along(direction: Vec3, axis: usize) -> bool {
 /// Path of the executed moves. Its touches are in the order of the documented ones, by which the formula counts, or in their own order. `feeds` has, for each
 /// move, the feed if it belongs to the program, and the step; `search` is the rate of the first of two touches. `None` if other surfaces than the documented
 /// ones are touched.
-pub fn moves_of(
+pub fn path_of_moves(
     path: &Path,
     own_order: bool,
-    made: &[Made],
+    made: &[ExecutedMove],
     feeds: &[(Option<Feed>, u8)],
     first: Vec3,
     (radius, search): (f64, Option<f64>),
@@ -33,7 +35,7 @@ pub fn moves_of(
     let mut moves = vec![Move {
         to: first,
         feed: Feed::Approach,
-        purpose: Purpose::Position,
+        purpose: MovePurpose::Position,
         step: 1,
         arc: None,
     }];
@@ -49,13 +51,17 @@ pub fn moves_of(
             })
         };
         match made.kind {
-            Kind::Watched if search.is_some() && made.rate == search && feed.is_none() => {
-                push(made.to, Feed::Search, Purpose::Position)
+            MoveKind::Watched if search.is_some() && made.rate == search && feed.is_none() => {
+                push(made.to, Feed::Search, MovePurpose::Position)
             }
-            Kind::Watched => push(made.to, feed.unwrap_or(Feed::Retract), Purpose::Position),
-            Kind::Rapid => push(made.to, Feed::Rapid, Purpose::Position),
-            Kind::Back => push(made.to, Feed::Retract, Purpose::Back(now)),
-            Kind::Search | Kind::Once => {
+            MoveKind::Watched => push(
+                made.to,
+                feed.unwrap_or(Feed::Retract),
+                MovePurpose::Position,
+            ),
+            MoveKind::Rapid => push(made.to, Feed::Rapid, MovePurpose::Position),
+            MoveKind::Retract => push(made.to, Feed::Retract, MovePurpose::Retract(now)),
+            MoveKind::Search | MoveKind::SingleTouch => {
                 let met = made.met?;
                 let vector = (met.center - made.to).normalize_or_zero();
                 let touch = Touch {
@@ -82,11 +88,11 @@ pub fn moves_of(
                     ..touch
                 });
                 match made.kind {
-                    Kind::Search => push(met.center, Feed::Search, Purpose::Search(now)),
-                    _ => push(met.center, Feed::Work, Purpose::Touch(now)),
+                    MoveKind::Search => push(met.center, Feed::Search, MovePurpose::Search(now)),
+                    _ => push(met.center, Feed::Work, MovePurpose::Touch(now)),
                 }
             }
-            Kind::Measure => push(made.met?.center, Feed::Work, Purpose::Touch(now)),
+            MoveKind::Measure => push(made.met?.center, Feed::Work, MovePurpose::Touch(now)),
         }
     }
     Some((moves, touches.into_iter().collect::<Option<Vec<Touch>>>()?))
@@ -118,29 +124,29 @@ pub fn start(path: &Path) -> Option<Vec3> {
 }
 
 /// Runs a block of a program; `None` if the block does not move.
-pub type Runs = fn(&OwnBlock, Reach, &mut Machine<'_>) -> Option<Result<(), Alarm>>;
+pub type BlockRunner = fn(&CallBlock, ProbeTable, &mut Machine<'_>) -> Option<Result<(), Alarm>>;
 
 /// A program of cycles under construction.
 #[derive(Debug)]
-pub struct Drafted {
-    pub blocks: Vec<OwnBlock>,
+pub struct CallDraft {
+    pub blocks: Vec<CallBlock>,
     pub stored: Vec<(&'static str, Stored)>,
     /// Where the first move comes to.
     /// What the calls stop for.
     pub guards: Vec<Guard>,
     pub first: Vec3,
-    pub reach: Reach,
+    pub reach: ProbeTable,
 }
 
 /// Path of a program on the nominal part, its touches in the order of the documented ones. Otherwise the alarm that stops it, or `None` if it touches other
 /// surfaces than the documented cycle.
 pub fn planned(
-    request: &OwnRequest<'_>,
-    drafted: Drafted,
-    runs: Runs,
-    meets: Meets<'_>,
+    request: &NativeRequest<'_>,
+    drafted: CallDraft,
+    runs: BlockRunner,
+    meets: ContactQuery<'_>,
 ) -> Result<Path, Option<Alarm>> {
-    let Drafted {
+    let CallDraft {
         blocks,
         stored,
         guards,
@@ -156,7 +162,7 @@ pub fn planned(
         if let Some(Err(alarm)) = runs(block, reach, &mut machine) {
             return Err(Some(alarm));
         }
-        let feed = if let OwnBlock::Goes(_, feed) = block {
+        let feed = if let CallBlock::MoveTo(_, feed) = block {
             *feed
         } else {
             Feed::Rapid
@@ -169,12 +175,12 @@ pub fn planned(
     }
     let made = machine.made;
     (path.moves, path.touches) =
-        moves_of(&path, false, &made, &feeds, first, (radius, None)).ok_or(None)?;
+        path_of_moves(&path, false, &made, &feeds, first, (radius, None)).ok_or(None)?;
     path.start = None;
     path.formula
         .results
         .retain(|result| result.role != Role::Residual);
-    path.own = Some(Box::new(Own {
+    path.calls = Some(Box::new(CallSequence {
         counts: made.iter().map(|made| made.count).collect(),
         first,
         blocks: blocks.into_iter().zip(counted).collect(),
@@ -186,7 +192,12 @@ pub fn planned(
 }
 
 /// Runs a program on another part. `tip` is the height of the ball centre above the programmed heights.
-pub fn rerun(own: &Own, (radius, tip): (f64, f64), runs: Runs, meets: Meets<'_>) -> Outcome {
+pub fn rerun(
+    own: &CallSequence,
+    (radius, tip): (f64, f64),
+    runs: BlockRunner,
+    meets: ContactQuery<'_>,
+) -> NativeRun {
     let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
     let mut machine = Machine::new(own.first, radius, tip, &mut answer);
     let alarm = own

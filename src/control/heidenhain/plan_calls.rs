@@ -4,25 +4,27 @@ use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::native::heidenhain::{ROWS, row};
 use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
+use crate::control::own::executed_path::{self, CallDraft};
 use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::made::{self, Drafted};
-use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of};
-use crate::control::{Program, Report, Request, check_write, does, own};
+use crate::control::own::{
+    ContactQuery, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of,
+};
+use crate::control::{Program, Request, ResultOutput, check_write, own, write_summary};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
-    Bore, Entry, Feature, Guard, Off, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored,
-    Touch,
+    Bore, CallBlock, CallSequence, Feature, FieldValue, Guard, Off, Pairs, Path, Point, ProbeTable,
+    Quantity, Stored, Touch,
 };
 use crate::text::{Text, text};
 
 /// Tolerance for equal directions and positions.
 const NEAR: f64 = 1e-6;
 
-pub static CYCLES: OwnCycles = OwnCycles {
-    plan: serve,
-    rerun: |own, radius, meets| made::rerun(own, (radius, 0.0), call, meets),
+pub static CYCLES: NativeCycles = NativeCycles {
+    plan: plan_calls,
+    rerun: |own, radius, meets| executed_path::rerun(own, (radius, 0.0), call, meets),
     followed: false,
     offset: f64::from,
     word: |number, q| format!("{number} Q{q}"),
@@ -30,10 +32,10 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
     corrects_tools: false,
-    several: Several {
-        way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed),
-        comes_itself: true,
-        kept: FREE,
+    several: CycleLinking {
+        way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
+        links_itself: true,
+        saved_variables: FREE,
     },
 };
 
@@ -41,7 +43,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
 const FREE: (usize, usize) = (1600, 1999);
 
 /// The path of native cycles for a job's feature, with the calls. 1411 is the documented path itself.
-fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
+fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
     let path = request.path;
     if path.feature.two_circles().is_some() {
         return Ok(path.clone());
@@ -84,8 +86,12 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
 }
 
 /// Runs a block; `None` if the block does not move.
-fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let OwnBlock::Cycle(number, parameters) = block else {
+fn call(
+    block: &CallBlock,
+    reach: ProbeTable,
+    machine: &mut Machine<'_>,
+) -> Option<Result<(), Alarm>> {
+    let CallBlock::Cycle(number, parameters) = block else {
         return None;
     };
     let values: Vec<(u16, f64)> = parameters
@@ -97,8 +103,8 @@ fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Res
 
 /// A program under construction.
 struct Plan<'a> {
-    request: &'a OwnRequest<'a>,
-    blocks: Vec<OwnBlock>,
+    request: &'a NativeRequest<'a>,
+    blocks: Vec<CallBlock>,
     stored: Vec<(&'static str, Stored)>,
     guards: Vec<Guard>,
     first: Vec3,
@@ -126,7 +132,7 @@ impl Plan<'_> {
             .iter()
             .map(|touch| touch.point.z)
             .fold(f64::NEG_INFINITY, f64::max);
-        let crosses = made::start(path).filter(|start| start.z > level + NEAR);
+        let crosses = executed_path::start(path).filter(|start| start.z > level + NEAR);
         self.clearance_height(
             crosses
                 .or(path.moves.first().map(|step| step.to))
@@ -141,7 +147,7 @@ impl Plan<'_> {
     }
 
     /// Q320: a clearance from the wall to the ball centre, less the ball radius and SET_UP.
-    fn set_up(&self, clearance: Entry) -> Result<f64, Refused> {
+    fn set_up(&self, clearance: FieldValue) -> Result<f64, Rejections> {
         let left = clearance.value - self.request.setup.radius - self.request.set_up;
         if left < -NEAR {
             let message = text!(
@@ -165,12 +171,12 @@ impl Plan<'_> {
             return;
         };
         let log = match self.request.report {
-            Report::None => 0.0,
-            Report::Log => 1.0,
-            Report::Screen => 2.0,
+            ResultOutput::None => 0.0,
+            ResultOutput::Log => 1.0,
+            ResultOutput::Screen => 2.0,
         };
         let limits = self.request.limits;
-        self.blocks.push(OwnBlock::Cycle(
+        self.blocks.push(CallBlock::Cycle(
             row.number,
             row.call(
                 probed,
@@ -219,11 +225,11 @@ impl Plan<'_> {
         set_up + self.request.set_up + self.request.setup.radius
     }
 
-    fn surface(&mut self, point: &Point) -> Result<(), Refused> {
+    fn surface(&mut self, point: &Point) -> Result<(), Rejections> {
         let path = self.request.path;
         let touch = &path.touches[0];
-        let start = made::begins(path).unwrap_or(touch.point);
-        let entry = Entry {
+        let start = executed_path::begins(path).unwrap_or(touch.point);
+        let entry = FieldValue {
             field: point.clearance,
             value: (start - touch.point).dot(touch.vector),
         };
@@ -242,8 +248,8 @@ impl Plan<'_> {
         touch: &Touch,
         (set_up, high): (f64, f64),
         (field, codes): (&'static str, [&'static str; 3]),
-    ) -> Result<(), Refused> {
-        let Some(axis) = (0..3).find(|axis| made::is_along(touch.vector, *axis)) else {
+    ) -> Result<(), Rejections> {
+        let Some(axis) = (0..3).find(|axis| executed_path::is_along(touch.vector, *axis)) else {
             let message = text!(
                 "The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped"
             );
@@ -265,7 +271,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
+    fn bore(&mut self, bore: &Bore) -> Result<(), Rejections> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
         let inside = touches
@@ -277,7 +283,7 @@ impl Plan<'_> {
             .collect();
         let start = angles[0];
         // By the angle of the first, counter-clockwise, or clockwise where they are documented so.
-        let square = made::are_quarters(&angles);
+        let square = executed_path::are_quarters(&angles);
         let step = if square {
             90.0
         } else {
@@ -325,9 +331,10 @@ impl Plan<'_> {
         Ok(())
     }
 
-    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
+    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Rejections> {
         let path = self.request.path;
-        let Some(axis) = (0..2).find(|axis| made::is_along(path.touches[0].vector, *axis)) else {
+        let Some(axis) = (0..2).find(|axis| executed_path::is_along(path.touches[0].vector, *axis))
+        else {
             let message =
                 text!("The control's own cycles take walls along X and Y: these are turned");
             return Err(own::refused(
@@ -336,7 +343,7 @@ impl Plan<'_> {
                 message,
             ));
         };
-        let clearances: Vec<Entry> = pairs
+        let clearances: Vec<FieldValue> = pairs
             .sides
             .iter()
             .filter_map(|side| side.clearance)
@@ -385,7 +392,7 @@ impl Plan<'_> {
         self.calls(&probed, [&CENTER, &codes]);
     }
 
-    fn width(&mut self, pairs: &Pairs, axis: usize, set_up: f64) -> Result<(), Refused> {
+    fn width(&mut self, pairs: &Pairs, axis: usize, set_up: f64) -> Result<(), Rejections> {
         let path = self.request.path;
         let (side, writes) = (&pairs.sides[0], self.row().is_some());
         let lifts = side.clearance.is_some();
@@ -415,7 +422,7 @@ impl Plan<'_> {
         let top = path.searches().find(|(k, ..)| *k == 2);
         if let Some((k, Some(from), _)) = top {
             let touch = &path.touches[k];
-            let entry = Entry {
+            let entry = FieldValue {
                 field: "cycle.middleClearance",
                 value: (from - touch.point).dot(touch.vector),
             };
@@ -430,10 +437,10 @@ impl Plan<'_> {
     }
 
     /// The path of the cycles on the nominal part.
-    fn finish(mut self, meets: Meets<'_>) -> Result<Path, Refused> {
+    fn finish(mut self, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
         if let Some(row) = self.row() {
             self.blocks
-                .push(OwnBlock::Cycle(247, vec![(339, Quantity::Plain(row))]));
+                .push(CallBlock::Cycle(247, vec![(339, Quantity::Plain(row))]));
         }
         let Plan {
             request,
@@ -442,11 +449,11 @@ impl Plan<'_> {
             guards,
             first,
         } = self;
-        let reach = Reach {
+        let reach = ProbeTable {
             set_up: request.set_up,
-            behind: request.setup.overtravel,
+            overtravel: request.setup.overtravel,
         };
-        made::planned(request, Drafted { blocks, stored, guards, first, reach }, call, meets).map_err(|alarm| {
+        executed_path::planned(request, CallDraft { blocks, stored, guards, first, reach }, call, meets).map_err(|alarm| {
             let message = match alarm {
                 Some(alarm) => text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm)),
                 None => text!("The control's own cycle would touch other surfaces than the documented one does"),
@@ -477,9 +484,9 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     );
     checker.info("dist-needed", "overtravel", message);
     check_write(request, checker);
-    let own = request.path.own.iter().flat_map(|own| &own.blocks);
+    let own = request.path.calls.iter().flat_map(|own| &own.blocks);
     let unasked = own.filter_map(|(block, _)| match block {
-        OwnBlock::Cycle(number, _) => row(*number),
+        CallBlock::Cycle(number, _) => row(*number),
         _ => None,
     });
     // A writing cycle checks no limit at all; another finding reports that.
@@ -514,7 +521,7 @@ fn reach(request: &Request<'_>) -> f64 {
     ways.fold(0.0, f64::max)
 }
 
-pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
+pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Program {
     let mut w = Writer::new(request);
     let unit = if request.scale == 1.0 { "MM" } else { "INCH" };
     let length = |mm: f64| decimal(mm / request.scale, request.post.decimals(request.scale));
@@ -527,7 +534,7 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         length(2.0 * request.setup.radius),
         length(request.setup.overtravel)
     ));
-    w.comment(&does::line(
+    w.comment(&write_summary::line(
         request,
         ": by the cycle, then activated by cycle 247",
     ));
@@ -572,12 +579,14 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
             w.leaves_move();
         }
         match block {
-            OwnBlock::Cycle(number, parameters) => {
+            CallBlock::Cycle(number, parameters) => {
                 blocks::write(&mut w, request, *number, parameters)
             }
-            OwnBlock::Keep(variable, output) => w.line(&format!("FN 0: Q{variable} = +Q{output}")),
+            CallBlock::SaveResult(variable, output) => {
+                w.line(&format!("FN 0: Q{variable} = +Q{output}"))
+            }
             // The next cycle moves there.
-            OwnBlock::Goes(..) | OwnBlock::Call(..) => {}
+            CallBlock::MoveTo(..) | CallBlock::Call(..) => {}
         }
     }
     w.parts(&["END PGM ", name, " ", unit]);

@@ -1,6 +1,6 @@
 //! Summary of what a program writes to the control's tables, in one sentence. Header, list of controls, panel and setup sheet all show it.
 
-use crate::control::{Form, Request};
+use crate::control::{ProgramForm, Request};
 use crate::geom::AXIS_NAMES;
 use crate::path::{Feature, ParameterValue, TwoCircles};
 use crate::text::{Text, text};
@@ -95,7 +95,7 @@ impl Request<'_> {
     /// Tool offsets that its macros correct.
     fn tools(&self) -> Vec<i32> {
         self.path
-            .own
+            .calls
             .as_ref()
             .map_or_else(Vec::new, |own| own.tools())
     }
@@ -123,7 +123,7 @@ impl Request<'_> {
             .path
             .feature
             .two_circles()
-            .filter(|_| self.form == Form::Cycle && self.path.own.is_none())?;
+            .filter(|_| self.form == ProgramForm::Cycle && self.path.calls.is_none())?;
         let [abscissa, ordinate, _] = self.plane.axes();
         let corrects = code(circles, 1120) != 0;
         let axes = (0..3)

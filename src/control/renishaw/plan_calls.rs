@@ -1,15 +1,18 @@
 //! Plans the macro calls for a feature, the path that they make, and their results.
 
 use super::macros::{self, FAST, MEASURE, SEARCH};
-use crate::control::Report;
+use crate::control::ResultOutput;
+use crate::control::own::executed_path::{self, path_of_moves};
 use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::made::{self, moves_of};
-use crate::control::own::{Meets, Outcome, OwnRequest, Refused, Several, degrees_of, refused};
-use crate::formula::{Datum, Draft, Formula, Role};
+use crate::control::own::{
+    ContactQuery, CycleLinking, NativeRequest, NativeRun, Rejections, degrees_of, refused,
+};
+use crate::formula::{Draft, Formula, OffsetCorrection, Role};
 use crate::geom::{Plane, Vec3};
 use crate::path::{
-    Bore, Corner, Entry, Feature, Feed, Feeds, Guard, Off, Own, OwnBlock, Pairs, ParameterValue,
-    Path, Point, Quantity, Reach, STATED_RAPID, Stored, Surface, Touch, TwoCircles,
+    Bore, CallBlock, CallSequence, Corner, Feature, Feed, Feeds, FieldValue, Guard, Off, Pairs,
+    ParameterValue, Path, Point, ProbeTable, Quantity, STATED_RAPID, Stored, Surface, Touch,
+    TwoCircles,
 };
 use crate::text::{Text, text, words};
 
@@ -26,8 +29,11 @@ const LEAST_CLEARANCE: f64 = 0.2;
 const NEAR: f64 = 1e-6;
 
 /// Path of the macros for a job's feature, with the calls.
-pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
-    let mut program = Program::of(request)?;
+pub fn plan_calls(
+    request: &NativeRequest<'_>,
+    meets: ContactQuery<'_>,
+) -> Result<Path, Rejections> {
+    let mut program = CallPlan::of(request)?;
     match &request.path.feature {
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
@@ -40,13 +46,13 @@ pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused
 }
 
 /// Runs the calls of a path with other contacts: the executed moves, up to the alarm.
-pub fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
-    made::rerun(own, (radius, radius), run, meets)
+pub fn rerun(own: &CallSequence, radius: f64, meets: ContactQuery<'_>) -> NativeRun {
+    executed_path::rerun(own, (radius, radius), run, meets)
 }
 
 /// Runs a block; `None` if the block does not move.
-fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let OwnBlock::Call(number, letters) = block else {
+fn run(block: &CallBlock, _: ProbeTable, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+    let CallBlock::Call(number, letters) = block else {
         return None;
     };
     let letters: Vec<(char, f64)> = letters
@@ -57,29 +63,29 @@ fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(
 }
 
 /// Link moves between two cycles are protected moves; results that the next macro overwrites are saved.
-pub const SEVERAL: Several = Several {
+pub const LINKING: CycleLinking = CycleLinking {
     way: protected,
-    comes_itself: false,
-    kept: (FIRST_KEPT, LAST_KEPT),
+    links_itself: false,
+    saved_variables: (FIRST_KEPT, LAST_KEPT),
 };
 
 /// A protected move to a position along these axes. Heights are those of the stylus tip.
-fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> OwnBlock {
+fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> CallBlock {
     let place = [to.x, to.y, to.z - radius];
     let letters = (0..3)
         .filter(|axis| axes[*axis])
         .map(|axis| (['X', 'Y', 'Z'][axis], Quantity::Length(place[axis])));
-    OwnBlock::Call(9810, letters.chain([('F', Quantity::Feed(rate))]).collect())
+    CallBlock::Call(9810, letters.chain([('F', Quantity::Feed(rate))]).collect())
 }
 
 /// A program under construction.
-struct Program<'a> {
-    request: &'a OwnRequest<'a>,
+struct CallPlan<'a> {
+    request: &'a NativeRequest<'a>,
     radius: f64,
     /// End of the first move.
     first: Vec3,
     at: Vec3,
-    blocks: Vec<OwnBlock>,
+    blocks: Vec<CallBlock>,
     stored: Vec<(&'static str, Stored)>,
     guards: Vec<Guard>,
     /// Feed of each protected move, in order.
@@ -87,9 +93,9 @@ struct Program<'a> {
     kept: usize,
 }
 
-impl<'a> Program<'a> {
-    fn of(request: &'a OwnRequest<'a>) -> Result<Self, Refused> {
-        let OwnRequest { path, setup, .. } = request;
+impl<'a> CallPlan<'a> {
+    fn of(request: &'a NativeRequest<'a>) -> Result<Self, Rejections> {
+        let NativeRequest { path, setup, .. } = request;
         if setup.plane != Plane::G17 {
             return Err(refused(
                 "plane-unsupported",
@@ -107,7 +113,7 @@ impl<'a> Program<'a> {
             return Err(refused("cycle-chooses-points", "cycle.touches", message));
         }
         let first = path.moves.first().map_or(Vec3::ZERO, |step| step.to);
-        Ok(Program {
+        Ok(CallPlan {
             request,
             radius: setup.radius,
             first,
@@ -121,13 +127,13 @@ impl<'a> Program<'a> {
     }
 
     /// Start of the first touch of the documented cycle.
-    fn begins(&self) -> Vec3 {
-        made::begins(self.request.path).unwrap_or(self.first)
+    fn first_touch_start(&self) -> Vec3 {
+        executed_path::begins(self.request.path).unwrap_or(self.first)
     }
 
     /// Position of the documented cycle after its first steps, before it moves elsewhere.
     fn start(&self) -> Vec3 {
-        made::start(self.request.path).unwrap_or(self.first)
+        executed_path::start(self.request.path).unwrap_or(self.first)
     }
 
     /// A protected move along these axes.
@@ -166,15 +172,15 @@ impl<'a> Program<'a> {
     }
 
     /// Search distance of the ball centre past the surface, for the job's overtravel past the contact.
-    fn q(&self) -> Result<Quantity, Refused> {
-        self.q_of(Entry {
+    fn q(&self) -> Result<Quantity, Rejections> {
+        self.q_of(FieldValue {
             field: "overtravel",
             value: self.request.setup.overtravel,
         })
     }
 
     /// Q of a search this far past the contact.
-    fn q_of(&self, overtravel: Entry) -> Result<Quantity, Refused> {
+    fn q_of(&self, overtravel: FieldValue) -> Result<Quantity, Rejections> {
         let q = overtravel.value - self.radius;
         if q <= 0.0 {
             let message = text!(
@@ -189,7 +195,7 @@ impl<'a> Program<'a> {
     }
 
     /// R, from the surface of the ball.
-    fn r(&self, clearance: Entry, inside: bool) -> Result<Quantity, Refused> {
+    fn r(&self, clearance: FieldValue, inside: bool) -> Result<Quantity, Rejections> {
         let r = clearance.value - self.radius;
         if r < LEAST_CLEARANCE {
             let message = text!(
@@ -244,7 +250,7 @@ impl<'a> Program<'a> {
         self.stores(results);
         // No source tells which results the next macro keeps.
         self.keeps();
-        self.blocks.push(OwnBlock::Call(9835, correction));
+        self.blocks.push(CallBlock::Call(9835, correction));
     }
 
     /// A measuring call that writes this work offset.
@@ -271,10 +277,10 @@ impl<'a> Program<'a> {
         if let Some(n) = work_offset {
             letters.push(('S', Quantity::Plain((self.request.offset)(n))));
         }
-        if self.request.report == Report::Log {
+        if self.request.report == ResultOutput::Log {
             letters.push(('W', Quantity::Plain(1.0)));
         }
-        self.blocks.push(OwnBlock::Call(number, letters));
+        self.blocks.push(CallBlock::Call(number, letters));
     }
 
     /// Records where these results are: in the output of this call, which stops for them by its letters.
@@ -284,7 +290,7 @@ impl<'a> Program<'a> {
                 .iter()
                 .map(|(code, output)| (*code, Stored::Output(*output))),
         );
-        let Some(OwnBlock::Call(number, letters)) = self.blocks.last() else {
+        let Some(CallBlock::Call(number, letters)) = self.blocks.last() else {
             return;
         };
         let letter = |wanted: char| {
@@ -334,17 +340,17 @@ impl<'a> Program<'a> {
             if let Stored::Output(output) = *stored {
                 let variable = FIRST_KEPT + self.kept;
                 self.kept += 1;
-                self.blocks.push(OwnBlock::Keep(variable, output));
+                self.blocks.push(CallBlock::SaveResult(variable, output));
                 *stored = Stored::Kept(variable);
             }
         }
     }
 
-    fn surface(&mut self, point: &Point) -> Result<(), Refused> {
+    fn surface(&mut self, point: &Point) -> Result<(), Rejections> {
         let touch = &self.request.path.touches[0];
-        let (vector, start) = (touch.vector, self.begins());
+        let (vector, start) = (touch.vector, self.first_touch_start());
         self.down(start, start);
-        if vector.z > 0.0 && made::is_along(vector, 2) {
+        if vector.z > 0.0 && executed_path::is_along(vector, 2) {
             // With a length to the tip the surface itself is measured: Q counts from the contact.
             let q = Quantity::Length(self.request.setup.overtravel);
             self.measures(9811, vec![('Z', Quantity::Length(touch.point.z)), ('Q', q)]);
@@ -387,7 +393,7 @@ impl<'a> Program<'a> {
         Ok(())
     }
 
-    fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
+    fn bore(&mut self, bore: &Bore) -> Result<(), Rejections> {
         let path = self.request.path;
         let inside = path
             .touches
@@ -398,7 +404,7 @@ impl<'a> Program<'a> {
             .iter()
             .map(|touch| degrees_of(if inside { -touch.vector } else { touch.vector }))
             .collect();
-        let square = made::are_quarters;
+        let square = executed_path::are_quarters;
         if square(&angles) && (angles[0] / 90.0 - (angles[0] / 90.0).round()).abs() > NEAR {
             let message = text!(
                 "P9814 touches along X and Y: these four touches are turned{advice}",
@@ -408,7 +414,11 @@ impl<'a> Program<'a> {
         }
         let mut letters = vec![('D', Quantity::Length(bore.diameter.value))];
         let beside = bore.clearance.is_some();
-        let start = if beside { self.start() } else { self.begins() };
+        let start = if beside {
+            self.start()
+        } else {
+            self.first_touch_start()
+        };
         match (square(&angles), angles.as_slice()) {
             (true, _) => letters.push(('Q', self.q()?)),
             (false, [a, b, c]) => {
@@ -450,7 +460,7 @@ impl<'a> Program<'a> {
         Ok(())
     }
 
-    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
+    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Rejections> {
         let path = self.request.path;
         let inside = pairs.internal;
         let beside = pairs.sides.iter().any(|side| side.clearance.is_some());
@@ -466,7 +476,11 @@ impl<'a> Program<'a> {
                 message,
             ));
         }
-        let start = if beside { self.start() } else { self.begins() };
+        let start = if beside {
+            self.start()
+        } else {
+            self.first_touch_start()
+        };
         self.down(self.start(), start);
         let measured = [
             [("center.x", 0), ("width1", 3)],
@@ -526,7 +540,7 @@ impl<'a> Program<'a> {
         Ok(())
     }
 
-    fn corner(&mut self, corner: &Corner) -> Result<(), Refused> {
+    fn corner(&mut self, corner: &Corner) -> Result<(), Rejections> {
         let path = self.request.path;
         let of = |group: usize| {
             path.touches
@@ -597,7 +611,7 @@ impl<'a> Program<'a> {
                 continue;
             }
             let Some(from) =
-                from.filter(|_| touch.vector.z > 0.0 && made::is_along(touch.vector, 2))
+                from.filter(|_| touch.vector.z > 0.0 && executed_path::is_along(touch.vector, 2))
             else {
                 let message = text!(
                     "The third surface must lie across Z{advice}",
@@ -633,7 +647,7 @@ impl<'a> Program<'a> {
     }
 
     /// Hole or stud, move to the other feature, that feature, and the relation between them.
-    fn two_circles(&mut self, circles: &TwoCircles) -> Result<(), Refused> {
+    fn two_circles(&mut self, circles: &TwoCircles) -> Result<(), Rejections> {
         let path = self.request.path;
         let setting = |number: i32| match circles
             .settings
@@ -707,7 +721,7 @@ impl<'a> Program<'a> {
                 _ => return Err(four_points(self.request)),
             };
             self.goes(center.with_z(up), &[0, 1], Feed::LongLink);
-            let q = self.q_of(Entry {
+            let q = self.q_of(FieldValue {
                 field: "cycle.probe.dist",
                 value: touches[0].search,
             })?;
@@ -715,7 +729,7 @@ impl<'a> Program<'a> {
             if round.hole {
                 self.goes(center.with_z(touches[0].point.z), &[2], Feed::LongLink);
             } else {
-                let clearance = Entry {
+                let clearance = FieldValue {
                     field: "cycle.setUpClearance",
                     value: from.distance(touches[0].point),
                 };
@@ -732,7 +746,7 @@ impl<'a> Program<'a> {
             self.stores(&[(codes[0], 0), (codes[1], 1), (codes[2], 3)]);
             self.keeps();
             if i == 0 {
-                self.blocks.push(OwnBlock::Call(9834, Vec::new()));
+                self.blocks.push(CallBlock::Call(9834, Vec::new()));
                 self.up();
             }
         }
@@ -744,31 +758,31 @@ impl<'a> Program<'a> {
                 .angle
                 .map(|angle| ('B', Quantity::Angle(angle))),
         );
-        self.blocks.push(OwnBlock::Call(9834, letters));
+        self.blocks.push(CallBlock::Call(9834, letters));
         self.stores(&[("Q964", 9)]);
         self.up();
         Ok(())
     }
 
     /// Switches the probe on or off without a move.
-    fn switch(self) -> Result<Path, Refused> {
+    fn switch(self) -> Result<Path, Rejections> {
         let mut path = self.request.path.clone();
         let number = if self.request.switches_on { 9832 } else { 9833 };
-        let blocks = vec![(OwnBlock::Call(number, Vec::new()), 0)];
-        path.own = Some(Box::new(Own {
+        let blocks = vec![(CallBlock::Call(number, Vec::new()), 0)];
+        path.calls = Some(Box::new(CallSequence {
             first: Vec3::ZERO,
             blocks,
             counts: Vec::new(),
             stored: Vec::new(),
             guards: Vec::new(),
-            reach: Reach::default(),
+            reach: ProbeTable::default(),
         }));
         Ok(path)
     }
 
     /// Runs the calls on the nominal part: the path, its touches in the order of the documented ones.
-    fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
-        let Program {
+    fn finish(self, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
+        let CallPlan {
             request,
             radius,
             first,
@@ -786,8 +800,8 @@ impl<'a> Program<'a> {
         let mut protected = feeds.iter();
         for (step, block) in blocks.iter().enumerate() {
             let before = machine.made.len();
-            if let OwnBlock::Call(number, _) = block {
-                if let Some(Err(alarm)) = run(block, Reach::default(), &mut machine) {
+            if let CallBlock::Call(number, _) = block {
+                if let Some(Err(alarm)) = run(block, ProbeTable::default(), &mut machine) {
                     let message = text!(
                         "On the nominal part P{number} would stop: {alarm}{advice}",
                         *number as usize,
@@ -815,7 +829,7 @@ impl<'a> Program<'a> {
             Feature::TwoCircles(_) => true,
             _ => false,
         };
-        let Some((moves, touches)) = moves_of(
+        let Some((moves, touches)) = path_of_moves(
             &path,
             own_order,
             &made,
@@ -854,13 +868,13 @@ impl<'a> Program<'a> {
             rapid: None,
         });
         path.start = None;
-        path.own = Some(Box::new(Own {
+        path.calls = Some(Box::new(CallSequence {
             counts: made.iter().map(|made| made.count).collect(),
             first,
             blocks: blocks.into_iter().zip(counted).collect(),
             stored,
             guards,
-            reach: Reach::default(),
+            reach: ProbeTable::default(),
         }));
         Ok(path)
     }
@@ -868,11 +882,11 @@ impl<'a> Program<'a> {
 
 /// Axis of the plane that a direction is parallel to; `None` if it is rotated.
 fn axis_of(vector: Vec3) -> Option<usize> {
-    (0..2).find(|axis| made::is_along(vector, *axis))
+    (0..2).find(|axis| executed_path::is_along(vector, *axis))
 }
 
 /// Requirements of the macros for two circles.
-fn four_points(request: &OwnRequest<'_>) -> Refused {
+fn four_points(request: &NativeRequest<'_>) -> Rejections {
     let message = text!(
         "The macros touch each circle at four points a quarter turn apart, at one height{advice}",
         request.advice()
@@ -927,6 +941,6 @@ fn round_formula(path: &Path, radius: f64, diameter: f64) -> Formula {
         diameter,
         Some(size),
     );
-    let datum = Datum::point((x, origin.x), (y, origin.y));
+    let datum = OffsetCorrection::point((x, origin.x), (y, origin.y));
     f.finish(Some(datum))
 }

@@ -10,17 +10,19 @@ use super::cycles;
 use crate::control::iso::writer::Writer;
 use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
 use crate::control::native::siemens::ROWS;
+use crate::control::own::executed_path::{self, CallDraft};
 use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::made::{self, Drafted};
-use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of, refused};
+use crate::control::own::{
+    ContactQuery, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of, refused,
+};
 use crate::control::sinumerik::LAST_REGISTER;
 use crate::control::{Request, check_write};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
-    Bore, Entry, Feature, Feed, Guard, Off, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored,
-    Touch,
+    Bore, CallBlock, Feature, Feed, FieldValue, Guard, Off, Pairs, Path, Point, ProbeTable,
+    Quantity, Stored, Touch,
 };
 use crate::text::text;
 
@@ -35,9 +37,9 @@ const CENTER: [&str; 2] = ["center.x", "center.y"];
 /// Tolerance for equal directions and positions.
 const NEAR: f64 = 1e-6;
 
-pub static CYCLES: OwnCycles = OwnCycles {
-    plan: serve,
-    rerun: |own, radius, meets| made::rerun(own, (radius, 0.0), run, meets),
+pub static CYCLES: NativeCycles = NativeCycles {
+    plan: plan_calls,
+    rerun: |own, radius, meets| executed_path::rerun(own, (radius, 0.0), run, meets),
     followed: true,
     word: |number, place| format!("CYCLE{number} {place}"),
     offset: |n| 10_000.0 + f64::from(n),
@@ -46,15 +48,15 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Kept(register) => format!("R{register}"),
     },
     corrects_tools: false,
-    several: Several {
-        way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed),
-        comes_itself: false,
-        kept: (1, LAST_REGISTER),
+    several: CycleLinking {
+        way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
+        links_itself: false,
+        saved_variables: (1, LAST_REGISTER),
     },
 };
 
 /// Path of the measuring cycles for a job's feature, with the calls.
-fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
+fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
     let path = request.path;
     if path.picked {
         let message = text!(
@@ -97,27 +99,27 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
 }
 
 /// Runs a block; `None` if the block does not move.
-fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+fn run(block: &CallBlock, _: ProbeTable, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     match block {
-        OwnBlock::Cycle(number, arguments) => {
+        CallBlock::Cycle(number, arguments) => {
             let values: Vec<(u16, f64)> = arguments
                 .iter()
                 .map(|(place, quantity)| (*place, quantity.value()))
                 .collect();
             cycles::run(*number, &values, machine)
         }
-        OwnBlock::Goes(to, _) => Some(machine.watched(*to, None, Alarm::Obstructed)),
-        OwnBlock::Call(..) | OwnBlock::Keep(..) => None,
+        CallBlock::MoveTo(to, _) => Some(machine.watched(*to, None, Alarm::Obstructed)),
+        CallBlock::Call(..) | CallBlock::SaveResult(..) => None,
     }
 }
 
 /// A program under construction.
 struct Plan<'a> {
-    request: &'a OwnRequest<'a>,
+    request: &'a NativeRequest<'a>,
     radius: f64,
     first: Vec3,
     at: Vec3,
-    blocks: Vec<OwnBlock>,
+    blocks: Vec<CallBlock>,
     stored: Vec<(&'static str, Stored)>,
     guards: Vec<Guard>,
     kept: usize,
@@ -129,21 +131,21 @@ impl Plan<'_> {
         if to.distance(self.at) > NEAR
             || matches!(
                 self.blocks.last(),
-                Some(OwnBlock::Cycle(..) | OwnBlock::Keep(..))
+                Some(CallBlock::Cycle(..) | CallBlock::SaveResult(..))
             )
         {
-            self.blocks.push(OwnBlock::Goes(to, feed));
+            self.blocks.push(CallBlock::MoveTo(to, feed));
             self.at = to;
         }
     }
 
     /// Start of the first touch of the documented cycle, and the position before it.
     fn begins(&self) -> Vec3 {
-        made::begins(self.request.path).unwrap_or(self.first)
+        executed_path::begins(self.request.path).unwrap_or(self.first)
     }
 
     fn start(&self) -> Vec3 {
-        made::start(self.request.path).unwrap_or(self.first)
+        executed_path::start(self.request.path).unwrap_or(self.first)
     }
 
     /// Down to the start of the cycle.
@@ -159,8 +161,8 @@ impl Plan<'_> {
 
     /// Measuring path for a clearance from the wall to the ball centre. If the job touches from the middle it is the overtravel, but no more than the distance
     /// to the contact: no source shows the behaviour of the control without that room.
-    fn path(&self, clearance: Option<Entry>, width: Entry) -> Result<f64, Refused> {
-        let room = Entry {
+    fn path(&self, clearance: Option<FieldValue>, width: FieldValue) -> Result<f64, Rejections> {
+        let room = FieldValue {
             field: width.field,
             value: self.radius
                 + self
@@ -196,7 +198,7 @@ impl Plan<'_> {
             ..Asked::default()
         };
         self.blocks
-            .push(OwnBlock::Cycle(row.number, row.call(probed, &asked)));
+            .push(CallBlock::Cycle(row.number, row.call(probed, &asked)));
         // A centre along the measured axis is stored like that in the plane.
         let entry = |found: Found| {
             let later = if found.is == Is::Along {
@@ -240,8 +242,8 @@ impl Plan<'_> {
     /// The call stops if one of these results exceeds its safe range [R].
     fn stops_for(&mut self, codes: &[&'static str]) {
         let safe = self.blocks.iter().rev().find_map(|block| match block {
-            OwnBlock::Cycle(977, arguments) => arguments.iter().find(|(place, _)| *place == 9),
-            OwnBlock::Cycle(978, arguments) => arguments.iter().find(|(place, _)| *place == 7),
+            CallBlock::Cycle(977, arguments) => arguments.iter().find(|(place, _)| *place == 9),
+            CallBlock::Cycle(978, arguments) => arguments.iter().find(|(place, _)| *place == 7),
             _ => None,
         });
         let safe = safe.filter(|_| !codes.is_empty());
@@ -257,16 +259,16 @@ impl Plan<'_> {
         for (_, stored) in &mut self.stored {
             if let Stored::Output(entry) = *stored {
                 self.kept += 1;
-                self.blocks.push(OwnBlock::Keep(self.kept, entry));
+                self.blocks.push(CallBlock::SaveResult(self.kept, entry));
                 *stored = Stored::Kept(self.kept);
             }
         }
     }
 
-    fn surface(&mut self, point: &Point) -> Result<(), Refused> {
+    fn surface(&mut self, point: &Point) -> Result<(), Rejections> {
         let touch = &self.request.path.touches[0];
         let start = self.begins();
-        let clearance = Entry {
+        let clearance = FieldValue {
             field: point.clearance,
             value: (start - touch.point).dot(touch.vector),
         };
@@ -281,12 +283,12 @@ impl Plan<'_> {
     fn touches_surface(
         &mut self,
         touch: &Touch,
-        clearance: Entry,
+        clearance: FieldValue,
         (field, codes): (&'static str, [&'static str; 3]),
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Rejections> {
         let Touch { point, vector, .. } = *touch;
         let axis = (0..3)
-            .find(|axis| made::is_along(vector, *axis))
+            .find(|axis| executed_path::is_along(vector, *axis))
             .filter(|axis| *axis < 2 || vector.z > 0.0);
         let Some(axis) = axis else {
             let message = text!(
@@ -307,7 +309,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
+    fn bore(&mut self, bore: &Bore) -> Result<(), Rejections> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
         let inside = touches
@@ -317,7 +319,7 @@ impl Plan<'_> {
             .iter()
             .map(|touch| degrees_of(touch.point - center))
             .collect();
-        if !made::are_quarters(&angles) {
+        if !executed_path::are_quarters(&angles) {
             let message = text!(
                 "CYCLE977 touches a circle at four points a quarter turn apart: not at {count} like these{advice}",
                 angles.len(),
@@ -345,7 +347,11 @@ impl Plan<'_> {
     }
 
     /// Checks whether the ball leaves room for a zone where it goes down between walls.
-    fn check_zones(&self, probed: &Probed, clearances: &[Option<Entry>]) -> Result<(), Refused> {
+    fn check_zones(
+        &self,
+        probed: &Probed,
+        clearances: &[Option<FieldValue>],
+    ) -> Result<(), Rejections> {
         if !(probed.inside && probed.lifts) {
             return Ok(());
         }
@@ -363,10 +369,10 @@ impl Plan<'_> {
         Ok(())
     }
 
-    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
+    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Rejections> {
         let path = self.request.path;
         let touches = &path.touches;
-        let clearances: Vec<Entry> = pairs
+        let clearances: Vec<FieldValue> = pairs
             .sides
             .iter()
             .filter_map(|side| side.clearance)
@@ -442,7 +448,7 @@ impl Plan<'_> {
             self.goes(self.at.with_z(self.at.z.max(from.z)), Feed::LongLink);
             self.goes(from.with_z(self.at.z), Feed::LongLink);
             self.goes(from, Feed::LongLink);
-            let clearance = Entry {
+            let clearance = FieldValue {
                 field: "cycle.middleClearance",
                 value: (from - touch.point).dot(touch.vector),
             };
@@ -454,7 +460,7 @@ impl Plan<'_> {
     }
 
     /// Path of the program on the nominal part.
-    fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
+    fn finish(self, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
         let Plan {
             request,
             first,
@@ -463,14 +469,14 @@ impl Plan<'_> {
             guards,
             ..
         } = self;
-        made::planned(
+        executed_path::planned(
             request,
-            Drafted {
+            CallDraft {
                 blocks,
                 stored,
                 guards,
                 first,
-                reach: Reach::default(),
+                reach: ProbeTable::default(),
             },
             run,
             meets,
@@ -497,9 +503,9 @@ impl Plan<'_> {
 
 /// Argument of a call at a position.
 fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
-    let own = request.path.own.as_ref()?;
+    let own = request.path.calls.as_ref()?;
     own.blocks.iter().find_map(|(block, _)| match block {
-        OwnBlock::Cycle(977, arguments) => arguments
+        CallBlock::Cycle(977, arguments) => arguments
             .iter()
             .find(|(known, _)| *known == place)
             .map(|(_, x)| x.value()),
@@ -509,10 +515,12 @@ fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
 
 /// Reports where the cycles differ from the job.
 pub fn check(request: &Request<'_>, checker: &mut Checker) {
-    let Some(own) = &request.path.own else { return };
+    let Some(own) = &request.path.calls else {
+        return;
+    };
     check_write(request, checker);
     let paths = own.blocks.iter().filter_map(|(block, _)| match block {
-        OwnBlock::Cycle(number, arguments) => {
+        CallBlock::Cycle(number, arguments) => {
             let place = if *number == 977 { 8 } else { 6 };
             arguments
                 .iter()
@@ -538,7 +546,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
 /// Notes about the cycles for the header.
 pub fn notes(request: &Request<'_>) -> Vec<String> {
     let mut notes = Vec::new();
-    let Some(own) = &request.path.own else {
+    let Some(own) = &request.path.calls else {
         return notes;
     };
     let stored = request.path.stored();
@@ -560,7 +568,7 @@ pub fn notes(request: &Request<'_>) -> Vec<String> {
         || own
             .blocks
             .iter()
-            .any(|(block, _)| matches!(block, OwnBlock::Keep(_, 4)))
+            .any(|(block, _)| matches!(block, CallBlock::SaveResult(_, 4)))
     {
         notes.push("NOT VERIFIED: that _OVR[4] is the size".to_owned());
     }
@@ -579,12 +587,12 @@ pub fn notes(request: &Request<'_>) -> Vec<String> {
 }
 
 /// The calls, each with its moves.
-fn calls<'a>(request: &Request<'a>) -> Vec<(&'a OwnBlock, Range<usize>)> {
+fn calls<'a>(request: &Request<'a>) -> Vec<(&'a CallBlock, Range<usize>)> {
     // The first move ends where the cycles count from.
     let mut at = 1;
     let blocks = request
         .path
-        .own
+        .calls
         .iter()
         .flat_map(|own| &own.blocks)
         .map(|(block, moves)| {
@@ -592,7 +600,7 @@ fn calls<'a>(request: &Request<'a>) -> Vec<(&'a OwnBlock, Range<usize>)> {
             (block, at - moves..at)
         });
     blocks
-        .filter(|(block, _)| matches!(block, OwnBlock::Cycle(..)))
+        .filter(|(block, _)| matches!(block, CallBlock::Cycle(..)))
         .collect()
 }
 
@@ -610,13 +618,15 @@ pub fn starts_off_centre(request: &Request<'_>, index: usize) -> bool {
 
 /// Writes the call that makes these moves, and the blocks that save the results of the previous one.
 pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
-    let Some(own) = &request.path.own else { return };
+    let Some(own) = &request.path.calls else {
+        return;
+    };
     let calls = own
         .blocks
         .iter()
         .enumerate()
-        .filter(|(_, (block, _))| matches!(block, OwnBlock::Cycle(..)));
-    let Some((index, (OwnBlock::Cycle(number, arguments), _))) = calls.clone().nth(which) else {
+        .filter(|(_, (block, _))| matches!(block, CallBlock::Cycle(..)));
+    let Some((index, (CallBlock::Cycle(number, arguments), _))) = calls.clone().nth(which) else {
         return;
     };
     let before = which
@@ -624,7 +634,7 @@ pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
         .and_then(|before| calls.clone().nth(before))
         .map_or(0, |(index, _)| index);
     for (block, _) in &own.blocks[before..index] {
-        if let OwnBlock::Keep(register, entry) = block {
+        if let CallBlock::SaveResult(register, entry) = block {
             w.line(&format!("R{register}=_OVR[{entry}]"));
         }
     }

@@ -27,35 +27,37 @@ impl Quantity {
 
 /// A block of a program of native calls.
 #[derive(Clone, Debug, PartialEq)]
-pub enum OwnBlock {
+pub enum CallBlock {
     /// A macro call: number and letters.
     Call(u32, Vec<(char, Quantity)>),
     /// A cycle call: number and parameters. HEIDENHAIN counts Q parameters, SINUMERIK positions in the list.
     Cycle(u16, Vec<(u16, Quantity)>),
     /// A watched move to a position.
-    Goes(Vec3, Feed),
+    MoveTo(Vec3, Feed),
     /// Saves a result of the previous call, given by its position in that call's output, in a variable: the next call overwrites the output.
-    Keep(usize, usize),
+    SaveResult(usize, usize),
 }
 
-impl OwnBlock {
+impl CallBlock {
     /// Whether the block measures. Protected moves, probe on and off, link moves between features and presets do not.
     pub fn measures(&self) -> bool {
         match self {
-            OwnBlock::Call(number, _) => ![9810, 9832, 9833, 9834, 9835].contains(number),
-            OwnBlock::Cycle(number, _) => *number != 247,
-            OwnBlock::Goes(..) | OwnBlock::Keep(..) => false,
+            CallBlock::Call(number, _) => ![9810, 9832, 9833, 9834, 9835].contains(number),
+            CallBlock::Cycle(number, _) => *number != 247,
+            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => false,
         }
     }
 
     /// Whether it writes a work offset.
     pub fn writes(&self) -> bool {
         match self {
-            OwnBlock::Call(_, letters) => letters.iter().any(|(letter, _)| *letter == 'S'),
+            CallBlock::Call(_, letters) => letters.iter().any(|(letter, _)| *letter == 'S'),
             // Row of a preset, or a frame.
-            OwnBlock::Cycle(977 | 978, arguments) => arguments.iter().any(|(place, _)| *place == 2),
-            OwnBlock::Cycle(_, parameters) => parameters.iter().any(|(q, _)| *q == 305),
-            OwnBlock::Goes(..) | OwnBlock::Keep(..) => false,
+            CallBlock::Cycle(977 | 978, arguments) => {
+                arguments.iter().any(|(place, _)| *place == 2)
+            }
+            CallBlock::Cycle(_, parameters) => parameters.iter().any(|(q, _)| *q == 305),
+            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => false,
         }
     }
 }
@@ -92,18 +94,18 @@ pub enum Off {
 
 /// Touch settings from the control's probe table, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reach {
+pub struct ProbeTable {
     /// Added to the clearance in front of each contact.
     pub set_up: f64,
     /// Search distance past the nominal contact.
-    pub behind: f64,
+    pub overtravel: f64,
 }
 
-impl Own {
+impl CallSequence {
     /// Tool offsets that the calls correct, each once.
     pub fn tools(&self) -> Vec<i32> {
         let corrected = self.blocks.iter().filter_map(|(block, _)| match block {
-            OwnBlock::Call(_, letters) => letters
+            CallBlock::Call(_, letters) => letters
                 .iter()
                 .find(|(letter, _)| *letter == 'T')
                 .map(|(_, tool)| tool.value() as i32),
@@ -116,11 +118,11 @@ impl Own {
     }
 
     /// Saves the results that the next cycle would overwrite. Variables are counted on from `kept`, the number that other cycles use. Returns the new number.
-    pub fn keep(&mut self, last: bool, (first, kept): (usize, usize)) -> usize {
+    pub fn save_results(&mut self, last: bool, (first, kept): (usize, usize)) -> usize {
         let shift = |variable: usize| variable + kept;
         let mut count = 0;
         for (block, _) in &mut self.blocks {
-            if let OwnBlock::Keep(variable, _) = block {
+            if let CallBlock::SaveResult(variable, _) = block {
                 *variable = shift(*variable);
                 count += 1;
             }
@@ -131,7 +133,8 @@ impl Own {
                 Stored::Output(output) if !last => {
                     let variable = first + kept + count;
                     count += 1;
-                    self.blocks.push((OwnBlock::Keep(variable, output), 0));
+                    self.blocks
+                        .push((CallBlock::SaveResult(variable, output), 0));
                     Stored::Kept(variable)
                 }
                 output => output,
@@ -143,10 +146,10 @@ impl Own {
 
 /// A sequence of native calls, with the number of moves that each makes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Own {
+pub struct CallSequence {
     /// First position, reached in the plane and then downwards: the end of the path's first move.
     pub first: Vec3,
-    pub blocks: Vec<(OwnBlock, usize)>,
+    pub blocks: Vec<(CallBlock, usize)>,
     /// For each move after the first, its ordinal among the moves that the calls make. On another part some of these moves have no length.
     pub counts: Vec<usize>,
     /// Storage of each result, by its code. [`Path::stored`](crate::path::Path::stored) answers for a set-up.
@@ -154,5 +157,5 @@ pub struct Own {
     /// Checks that the calls make before they write, in order.
     pub guards: Vec<Guard>,
     /// Touch settings, if the calls do not state them.
-    pub reach: Reach,
+    pub reach: ProbeTable,
 }
