@@ -121,7 +121,7 @@ fn forms(
     let allowed = |form: &ProgramForm| config.allow.takes("form", &text(form.word()));
     let served = control::find(post).zip(def);
     let serves = move |form: &ProgramForm| {
-        served.is_some_and(|(post, def)| (post.serves)(def.probes, *form).is_ok())
+        served.is_some_and(|(post, def)| (post.supports)(def.probes, *form).is_ok())
     };
     ProgramForm::ALL.into_iter().filter(allowed).filter(serves)
 }
@@ -168,7 +168,7 @@ fn sets_preset(control: &Value, def: &CycleDef) -> bool {
         return false;
     };
     let own = control.get("form") == Some(&text(ProgramForm::Cycle.word()));
-    own && control::find(key).is_some_and(|post| (post.own_preset)(def.probes))
+    own && control::find(key).is_some_and(|post| (post.cycle_sets_preset)(def.probes))
 }
 
 fn text(word: &str) -> Value {

@@ -1,12 +1,12 @@
 //! Refusals of a job by a config.
 
-use crate::config::space::{Entering, Space, beyond, enters, pieces};
+use crate::config::space::{ProbePart, Space, beyond, enters, pieces};
 use crate::config::{Config, Rule, at, field_at, fill};
 use crate::control;
 use crate::cycle;
 use crate::form::{Checker, Field, Finding, Kind, Value, printable};
 use crate::geom::AXIS_NAMES;
-use crate::job::{Planned, Units, alone, is_set_up, resolved, writes_any};
+use crate::job::{PlannedJob, Units, is_set_up, resolved, single_cycle_job, writes_any};
 use crate::num::decimal;
 use crate::text::{Part, Text, text};
 use crate::tolerance;
@@ -27,7 +27,7 @@ fn near(field: &Field, scale: f64) -> f64 {
 }
 
 /// See [`Config::judge`].
-pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Finding> {
+pub fn judge(config: &Config, job: &Value, planned: Option<&PlannedJob>) -> Vec<Finding> {
     let units = Units::of(job);
     let mut checker = Checker::in_units(units.scale(), units.word());
     if is_set_up(job) {
@@ -44,7 +44,7 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
             0
         };
         for index in 0..count {
-            let Some(single) = alone(job, index) else {
+            let Some(single) = single_cycle_job(job, index) else {
                 continue;
             };
             judge_single(
@@ -75,7 +75,7 @@ fn judge_single(
     job: &Value,
     place: &str,
     around: bool,
-    planned: Option<&Planned>,
+    planned: Option<&PlannedJob>,
     checker: &mut Checker,
 ) {
     let whole = resolved(job);
@@ -180,7 +180,7 @@ fn judge_word(
 }
 
 /// Judges the written offset. A native cycle that sets the active preset names no work offset: it is allowed if any work offset is.
-fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker: &mut Checker) {
+fn judge_offset(config: &Config, job: &Value, planned: Option<&PlannedJob>, checker: &mut Checker) {
     let Some(allowed) = &config.allow.work_offsets else {
         return;
     };
@@ -361,8 +361,8 @@ fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
 }
 
 /// Checks the path against the travel of the machine and its keep-out zones.
-fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
-    let Planned { job, path, .. } = planned;
+fn judge_space(config: &Config, planned: &PlannedJob, checker: &mut Checker) {
+    let PlannedJob { job, path, .. } = planned;
     let place = |index: usize| match path.member_of_move(index) {
         Some(cycle) if !path.cycles.is_empty() => format!("cycles[{cycle}]"),
         _ => "cycle".to_owned(),
@@ -401,17 +401,17 @@ fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
         };
         let (number, name) = (index + 1, zone.name.clone());
         let message = match part {
-            Entering::Ball => text!(
+            ProbePart::Ball => text!(
                 "In move {number} the ball enters the keep-out zone {zone}",
                 number,
                 name
             ),
-            Entering::Shank => text!(
+            ProbePart::Shank => text!(
                 "In move {number} the stylus enters the keep-out zone {zone}",
                 number,
                 name
             ),
-            Entering::Body => text!(
+            ProbePart::Body => text!(
                 "In move {number} the probe body enters the keep-out zone {zone}",
                 number,
                 name

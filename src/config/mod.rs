@@ -30,7 +30,7 @@ mod space;
 use crate::config::allow::Allow;
 use crate::config::space::Space;
 use crate::form::{Field, Finding, Level, Value};
-use crate::job::{self, JobError, Plan, Planned, Units};
+use crate::job::{self, JobError, Plan, PlannedJob, Units};
 use crate::text::{Part, Text, words};
 
 /// Rules of a portal. Its lengths are in its own `units`; jobs may be in others.
@@ -83,7 +83,7 @@ impl Config {
     }
 
     /// Refusals of a job with a known path; without one only the values of the job are judged.
-    pub(crate) fn judge_planned(&self, job: &Value, planned: Option<&Planned>) -> Vec<Finding> {
+    pub(crate) fn judge_planned(&self, job: &Value, planned: Option<&PlannedJob>) -> Vec<Finding> {
         judge::judge(self, job, planned)
     }
 

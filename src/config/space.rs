@@ -1,7 +1,7 @@
 //! The travel of the machine and its keep-out zones.
 
 use crate::geom::Vec3;
-use crate::part::Shape;
+use crate::part::StylusShape;
 use crate::path::{MovePurpose, Path, most};
 
 /// The travel of the machine and its keep-out zones, in the work coordinate system, mm.
@@ -22,7 +22,7 @@ pub struct Zone {
 
 /// A straight piece of the path that the ball centre can take.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece {
+pub struct PathPiece {
     from: Vec3,
     to: Vec3,
     /// Largest shift along each axis by a followed result, mm.
@@ -35,7 +35,7 @@ pub struct Piece {
 
 /// A position beyond the travel.
 #[derive(Clone, Copy, Debug)]
-pub struct Beyond {
+pub struct TravelViolation {
     pub axis: usize,
     pub place: f64,
     pub limit: f64,
@@ -46,7 +46,7 @@ pub struct Beyond {
 
 /// Part of the probe that enters a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Entering {
+pub enum ProbePart {
     Ball,
     Shank,
     Body,
@@ -59,7 +59,7 @@ const SKIN: f64 = 1e-6;
 const PIECE: f64 = 1.0;
 
 /// All straight pieces of the path, including the searches past the nominal contacts.
-pub fn pieces(path: &Path) -> Vec<Piece> {
+pub fn pieces(path: &Path) -> Vec<PathPiece> {
     let mut found = Vec::new();
     let mut at = path.start.or(path.moves.first().map(|step| step.to));
     for (index, step) in path.moves.iter().enumerate() {
@@ -70,7 +70,7 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
             .map_or(Vec3::ZERO, |before| most(path.shifts(before)));
         let shift = most(path.shifts(index)).max(begin);
         for to in step.pieces(from, path.frame.w, PIECE) {
-            found.push(Piece {
+            found.push(PathPiece {
                 from,
                 to,
                 shift,
@@ -81,7 +81,7 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
         }
         if let MovePurpose::Touch(touch) = step.purpose {
             let touch = &path.touches[touch];
-            found.push(Piece {
+            found.push(PathPiece {
                 from,
                 to: from - touch.vector * touch.search,
                 shift,
@@ -95,17 +95,17 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
 }
 
 /// The farthest positions beyond the travel, in each direction.
-pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
+pub fn beyond(pieces: &[PathPiece], travel: &Zone) -> Vec<TravelViolation> {
     let mut found = Vec::new();
     for axis in 0..3 {
         for (side, limit) in [(-1.0, travel.min[axis]), (1.0, travel.max[axis])] {
-            let far = |piece: &Piece| side * piece.to[axis] + piece.shift[axis];
+            let far = |piece: &PathPiece| side * piece.to[axis] + piece.shift[axis];
             let Some(piece) = pieces.iter().max_by(|a, b| far(a).total_cmp(&far(b))) else {
                 continue;
             };
             let place = side * far(piece);
             if side * (place - limit) > SKIN {
-                found.push(Beyond {
+                found.push(TravelViolation {
                     axis,
                     place,
                     limit,
@@ -120,29 +120,29 @@ pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
 
 /// The first move in which the ball, or the known part of the stylus above it, enters a zone. `up` is the tool axis.
 pub fn enters(
-    pieces: &[Piece],
+    pieces: &[PathPiece],
     zone: &Zone,
     up: Vec3,
     radius: f64,
-    shape: &Shape,
-) -> Option<(usize, Entering)> {
+    shape: &StylusShape,
+) -> Option<(usize, ProbePart)> {
     let axis = up.abs();
     let cylinders = [
         shape
             .shank
-            .map(|shank| (Entering::Shank, shank / 2.0, 0.0, shape.length)),
+            .map(|shank| (ProbePart::Shank, shank / 2.0, 0.0, shape.length)),
         shape
             .body
             .zip(shape.length)
-            .map(|(body, length)| (Entering::Body, body / 2.0, length, None)),
+            .map(|(body, length)| (ProbePart::Body, body / 2.0, length, None)),
     ];
-    let entering = |piece: &Piece| {
+    let entering = |piece: &PathPiece| {
         // A piece that may be shifted is checked against a zone that is larger by the shift.
         let (min, max) = (zone.min - piece.shift, zone.max + piece.shift);
         if distance(piece.from, piece.to, min, max) < radius - SKIN {
-            return Some(Entering::Ball);
+            return Some(ProbePart::Ball);
         }
-        let struck = |(part, radius, from, to): &(Entering, f64, f64, Option<f64>)| {
+        let struck = |(part, radius, from, to): &(ProbePart, f64, f64, Option<f64>)| {
             // Where the cylinder and the zone overlap in height, their distance is checked in the plane.
             let (low, high) = (min.dot(axis) - to.unwrap_or(FAR), max.dot(axis) - from);
             let (begin, end) = (piece.from.dot(axis), piece.to.dot(axis));

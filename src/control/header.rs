@@ -1,6 +1,6 @@
 //! The job as comments, written and read: all its values, the format, the version that wrote it, and a hash over the blocks below.
 
-use crate::control::iso::lex::{after, next_line, without_count};
+use crate::control::iso::lex::{next_line, strip_prefix_nocase, without_count};
 use crate::control::{HeaderDetail, Request, comment_char};
 use crate::form::Value;
 use crate::num::{format_count, push_in_full};
@@ -41,7 +41,7 @@ pub fn seal(text: &mut String) {
     while let Some(end) = text[at..].find('\n') {
         let (line, below) = (&text[at..at + end], at + end + 1);
         if let Some(digits) = comment(line)
-            .and_then(|comment| after(comment, HASH))
+            .and_then(|comment| strip_prefix_nocase(comment, HASH))
             .and_then(|_| line.find(NO_HASH))
         {
             let hash = hash(&text[below..]);
@@ -233,7 +233,7 @@ pub fn read(text: &str) -> HeaderLines<'_> {
         let Some(comment) = comment(line) else {
             continue;
         };
-        if let Some(words) = after(comment, JOB_LINE) {
+        if let Some(words) = strip_prefix_nocase(comment, JOB_LINE) {
             if said.values.len() > MOST_WORDS {
                 continue;
             }
@@ -244,11 +244,13 @@ pub fn read(text: &str) -> HeaderLines<'_> {
                     .values
                     .extend(words.split(' ').filter_map(|word| word.split_once('='))),
             }
-        } else if let Some(made) = after(comment, MADE_BY) {
+        } else if let Some(made) = strip_prefix_nocase(comment, MADE_BY) {
             said.version = said.version.or(made.split(' ').next());
-        } else if let Some(name) = after(comment, "Job:") {
+        } else if let Some(name) = strip_prefix_nocase(comment, "Job:") {
             said.name = said.name.or(Some(name.trim_start()));
-        } else if let Some(stated) = after(comment, HASH).filter(|_| said.unchanged.is_none()) {
+        } else if let Some(stated) =
+            strip_prefix_nocase(comment, HASH).filter(|_| said.unchanged.is_none())
+        {
             said.unchanged = Some(stated.trim().eq_ignore_ascii_case(&hash(rest)));
             // The header ends here.
             return said;

@@ -5,7 +5,7 @@
 //! Okuma, and the variables that save results.
 
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::own::NativeCycles;
+use crate::control::native_run::NativeCycles;
 use crate::control::renishaw::cycles;
 use crate::control::renishaw::post::{self, CALLS, Calls, variable};
 use crate::control::{BASE, ORIENT, PostDef, ProgramForm, Request, number, offsets};
@@ -57,7 +57,7 @@ pub(super) static HURCO: PostDef = PostDef {
     about: "calls of Renishaw's macros P98xx; the control switches the probe by itself. Not verified on a control.",
     extension: "hnc",
     work_offsets: offsets::STANDARD,
-    serves: |subject, form| match (subject, form) {
+    supports: |subject, form| match (subject, form) {
         (FeatureKind::Switch, ProgramForm::Cycle) => Err(words!(
             "the control switches the probe by itself at the tool change"
         )),
@@ -90,7 +90,7 @@ const CALLER: PostDef = PostDef {
     work_offsets: offsets::STANDARD + offsets::MORE,
     work_offset_word: offsets::word,
     computes: false,
-    cannot: &[(
+    unsupported_rules: &[(
         ORIENT,
         words!(
             "no source says how a program of {control} turns the spindle to an angle: turn it before"
@@ -99,10 +99,10 @@ const CALLER: PostDef = PostDef {
     dialect: &DIALECT,
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| request.feeds.rate(step.feed),
-    serves,
+    supports: serves,
     check: |request, checker| checked(request, &CALLS, checker),
     own: Some(&OWN),
-    rotates: false,
+    offset_has_rotation: false,
     ..BASE
 };
 

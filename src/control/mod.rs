@@ -12,9 +12,9 @@ mod linuxcnc;
 mod macro_controls;
 mod moves;
 pub mod native;
+pub mod native_run;
 mod number;
 mod offsets;
-pub mod own;
 pub mod prove;
 pub mod release;
 pub mod renishaw;
@@ -26,8 +26,8 @@ mod write_summary;
 
 use std::cell::OnceCell;
 
-use crate::control::iso::registers::{Registers, When};
-use crate::control::iso::script::{Script, Trouble};
+use crate::control::iso::registers::{ComputeTiming, Registers};
+use crate::control::iso::script::{ReadError, Script};
 use crate::control::iso::writer::{Dialect, PLAIN};
 use crate::form::{Checker, Value};
 use crate::formula::{Limits, OffsetCorrection, ResultCheck};
@@ -164,11 +164,11 @@ pub struct PostDef {
     /// Highest number of a work offset; 0 if a program cannot write one.
     pub work_offsets: i32,
     /// Whether its native cycle corrects the active preset; no work offset is chosen then.
-    pub own_preset: fn(FeatureKind) -> bool,
+    pub cycle_sets_preset: fn(FeatureKind) -> bool,
     /// Word of a work offset, by its number.
     pub work_offset_word: fn(i32) -> String,
     /// Whether a work offset has a rotation that its program can write.
-    pub rotates: bool,
+    pub offset_has_rotation: bool,
     /// Fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
     /// Fields that a program of native cycles ignores, as paths of the job.
@@ -178,11 +178,11 @@ pub struct PostDef {
     /// Whether its program computes the results: in plain arithmetic, with circles by normal equations instead of geometric least squares.
     pub computes: bool,
     /// Time at which its program computes them.
-    pub when: When,
+    pub when: ComputeTiming,
     /// Smallest distance from its start at which a touch may trigger, mm, as a sum over the axes. A closer trigger counts as a probe that is still deflected.
     pub nearest_trigger: f64,
     /// Whether its program watches positioning moves with the probe, if the job asks for it.
-    pub watches: bool,
+    pub watches_positioning: bool,
     /// Whether the approach to the first position is watched as well.
     pub watches_first: bool,
     /// Shortest probing move, mm. Shorter positioning moves are plain.
@@ -192,23 +192,23 @@ pub struct PostDef {
     /// Notation of its blocks.
     pub dialect: &'static Dialect,
     /// What its programs cannot do, and why: [`ORIENT`], [`WRITE_OFFSET`], or the name of a safety rule. [`PostDef::why_not`] reads it.
-    pub cannot: &'static [(&'static str, &'static str)],
+    pub unsupported_rules: &'static [(&'static str, &'static str)],
     /// Name of a program, from the name of the job.
     pub name: fn(&str) -> String,
     /// Rate of a move from the current ball centre, mm/min; `None` is the rapid rate.
     pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
     /// Whether a program in a form can probe this feature, and why not: its row of the support matrix.
-    pub serves: fn(FeatureKind, ProgramForm) -> Result<(), &'static str>,
+    pub supports: fn(FeatureKind, ProgramForm) -> Result<(), &'static str>,
     /// Reports what it cannot do for this request, and notes for the user.
     pub check: fn(&Request<'_>, &mut Checker),
     pub emit: fn(&Request<'_>) -> Program,
     /// Reads a program of moves back.
     pub read: Option<Reader>,
     /// Its native cycles, if their path is known.
-    pub own: Option<&'static own::NativeCycles>,
+    pub own: Option<&'static native_run::NativeCycles>,
     /// For controls whose programs cannot write a work offset although the user can: the block to type at the end of the program, from the measured datum
     /// (abscissa, ordinate and tool axis, mm) and the number of the work offset.
-    pub typed_write: Option<TypedWrite>,
+    pub manual_offset_block: Option<TypedWrite>,
 }
 
 /// Orienting the spindle to an angle.
@@ -225,24 +225,24 @@ pub const BASE: PostDef = PostDef {
     about: "",
     extension: "",
     work_offsets: 0,
-    own_preset: |_| false,
+    cycle_sets_preset: |_| false,
     work_offset_word: |_| String::new(),
-    rotates: true,
+    offset_has_rotation: true,
     unused: &[],
     unused_by_cycles: &["control.protection", "feeds.work", "feeds.retract"],
     first_length: false,
     computes: true,
-    when: When::AtTheEnd,
+    when: ComputeTiming::AtTheEnd,
     nearest_trigger: 0.0,
-    watches: true,
+    watches_positioning: true,
     watches_first: true,
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: &PLAIN,
-    cannot: &[],
+    unsupported_rules: &[],
     name: comment_text,
     rate: feed_rate,
-    serves: |_, _| Err(""),
+    supports: |_, _| Err(""),
     check: |_, _| {},
     emit: |_| Program {
         text: String::new(),
@@ -251,14 +251,14 @@ pub const BASE: PostDef = PostDef {
     },
     read: None,
     own: None,
-    typed_write: None,
+    manual_offset_block: None,
 };
 
 /// See [`PostDef::typed_write`].
 pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 
 /// Reads a program. Lists every line that is not understood.
-pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<Trouble>>;
+pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<ReadError>>;
 
 impl PostDef {
     /// Whether a job can have the form of moves: those programs are read back.
@@ -268,7 +268,10 @@ impl PostDef {
 
     /// Why its programs cannot do something; `None` if they can.
     pub fn why_not(&self, what: &str) -> Option<&'static str> {
-        let known = self.cannot.iter().find(|(known, _)| *known == what);
+        let known = self
+            .unsupported_rules
+            .iter()
+            .find(|(known, _)| *known == what);
         known.map(|(_, why)| *why)
     }
 
@@ -363,11 +366,11 @@ impl Request<'_> {
     }
 
     /// Time at which the program computes: in a set-up as soon as possible, so that no variable is kept through all cycles.
-    pub fn when(&self) -> When {
+    pub fn when(&self) -> ComputeTiming {
         if self.path.cycles.is_empty() {
             self.post.when
         } else {
-            When::AtOnce
+            ComputeTiming::AtOnce
         }
     }
 

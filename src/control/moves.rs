@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::control::iso::registers::{When, needed_touches};
+use crate::control::iso::registers::{ComputeTiming, needed_touches};
 use crate::control::iso::writer::{Writer, pieces, start_unknown};
 use crate::control::{Program, Request};
 use crate::formula::{Formula, OffsetCorrection, ResultCheck, UsedTriggers};
@@ -105,7 +105,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
     let own = hooks.own_cycles();
-    let needed = if request.when() == When::AtOnce {
+    let needed = if request.when() == ComputeTiming::AtOnce {
         needed_touches(path)
     } else {
         Vec::new()

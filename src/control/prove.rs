@@ -1,6 +1,6 @@
 //! Proof that a program of moves makes its path: the program is read back and traced move by move, and its arithmetic is compared with the formula.
 
-use crate::control::iso::machine::{self, Met, Run, Tail};
+use crate::control::iso::machine::{self, ProbeOutcome, ResultCheckpoint, Run};
 use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
@@ -71,20 +71,20 @@ const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 pub struct Followed<'t> {
     pub script: Script<'t>,
     /// Start of the run.
-    pub begin: Run,
+    pub run_start: Run,
     /// Trace from above the first position to the end.
     pub trace: Trace,
     /// Program state when the results have their values, to run the end again with others.
-    pub tail: Tail,
+    pub tail: ResultCheckpoint,
     /// Motions from a start below the first position, or below the start in the job, up to the first position. Empty if nothing moves, or the control cannot
     /// check the start.
-    pub below: Vec<Step>,
+    pub from_below: Vec<Step>,
     /// Triggers of the touches, in order.
     triggers: Vec<Vec3>,
     /// Expected trace, from the path.
     expected: Expected,
     /// Triggers and values, if cycles follow results.
-    triggered: Option<Triggered>,
+    triggered: Option<SimulatedTouches>,
 }
 
 impl Followed<'_> {
@@ -128,7 +128,7 @@ impl Followed<'_> {
             .take_while(|step| step.step == LINK_STEP)
             .count();
         let mut next = 0;
-        let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| {
+        let stop = machine::until_alarm(&self.script, self.run_start, &mut |step: &Step| {
             expected.next(step, triggers, &mut next)
         });
         let before = expected
@@ -146,7 +146,7 @@ impl Followed<'_> {
         let own = moves
             .take_while(|step| !matches!(step.purpose, MovePurpose::Touch(_)))
             .count();
-        let in_time = |stop: machine::Stopped| {
+        let in_time = |stop: machine::AlarmState| {
             stop.touches < before
                 || stop.touches == before && (stop.since <= own || expected.near(stop.at, stands))
         };
@@ -164,7 +164,7 @@ pub enum Part {
 }
 
 /// Reads a program for the control of a request and traces it.
-pub fn follow<'t>(
+pub fn read_and_trace<'t>(
     request: &Request<'_>,
     text: &'t str,
     part: Part,
@@ -174,7 +174,7 @@ pub fn follow<'t>(
             "programs of this control are not read back"
         ))]
     })?;
-    let faults = |troubles: Vec<crate::control::iso::script::Trouble>| -> Vec<Fault> {
+    let faults = |troubles: Vec<crate::control::iso::script::ReadError>| -> Vec<Fault> {
         troubles
             .into_iter()
             .map(|t| Fault {
@@ -196,13 +196,13 @@ pub fn follow<'t>(
     }
     let follows = !request.path.shifts.is_empty();
     let triggered = if follows {
-        Some(Triggered::of(request, triggers.clone())?)
+        Some(SimulatedTouches::of(request, triggers.clone())?)
     } else {
         None
     };
     let shifts = triggered
         .as_ref()
-        .map_or_else(Shifted::default, |triggered| {
+        .map_or_else(ShiftedMoves::default, |triggered| {
             triggered.shifted(request.path)
         });
     if let Some(triggered) = &triggered {
@@ -248,7 +248,7 @@ pub fn follow<'t>(
             if part == Part::Unknown {
                 return expected
                     .meets(step, &triggers, &mut next)
-                    .unwrap_or(Met::Unknown);
+                    .unwrap_or(ProbeOutcome::Unknown);
             }
             expected.next(step, &triggers, &mut next)
         },
@@ -271,9 +271,9 @@ pub fn follow<'t>(
             };
             let mut meets = |_: &Step| {
                 if part == Part::Path {
-                    Met::Nothing
+                    ProbeOutcome::Nothing
                 } else {
-                    Met::Unknown
+                    ProbeOutcome::Unknown
                 }
             };
             machine::run(&script, run, &mut meets)
@@ -283,11 +283,11 @@ pub fn follow<'t>(
         None => Vec::new(),
     };
     Ok(Followed {
-        begin: run,
+        run_start: run,
         script,
         trace,
         tail,
-        below,
+        from_below: below,
         triggers,
         expected,
         triggered,
@@ -336,19 +336,19 @@ fn trigger(request: &Request<'_>, k: usize, way: f64, share: f64) -> Vec3 {
 
 /// Simulated touches for set-ups whose cycles follow results: triggers, and the values that the formula gives for them.
 #[derive(Clone, Debug)]
-struct Triggered {
+struct SimulatedTouches {
     triggers: Vec<Vec3>,
     samples: Vec<Option<Vec3>>,
     directions: Vec<Vec3>,
     values: Vec<Dual>,
 }
 
-impl Triggered {
+impl SimulatedTouches {
     /// Moves the triggers with their cycles. Touches of followed cycles stay so close to nominal that their results are within the limits.
     fn of(request: &Request<'_>, triggers: Vec<Vec3>) -> Result<Self, Vec<Fault>> {
         let (samples, directions) = sampled(request, &triggers);
         let path = request.path;
-        let mut own = Triggered {
+        let mut own = SimulatedTouches {
             triggers,
             samples,
             directions,
@@ -384,9 +384,9 @@ impl Triggered {
         let follows = path.cycles[member + 1..]
             .iter()
             .flat_map(|later| &later.placing.follows);
-        let led = follows
+        let followed = follows
             .filter_map(|follow| Some((follow.result, path.is_known_by(follow.result, member)?)));
-        let led: Vec<(usize, bool)> = led.collect();
+        let led: Vec<(usize, bool)> = followed.collect();
         let first = if led.is_empty() { 0 } else { first };
         // Results that depend on a later cycle, too, are known only there.
         let known = led.into_iter().filter(|(_, known)| *known);
@@ -546,7 +546,7 @@ impl Triggered {
     }
 
     /// Shift of each move.
-    fn shifted(&self, path: &Path) -> Shifted {
+    fn shifted(&self, path: &Path) -> ShiftedMoves {
         let reach = |term: &ShiftTerm| {
             self.values
                 .get(term.by.index())
@@ -558,7 +558,7 @@ impl Triggered {
                 .map(move |terms| terms.iter().map(reach).sum::<f64>())
         };
         let reach = (0..path.moves.len()).flat_map(of).fold(0.0, f64::max);
-        Shifted {
+        ShiftedMoves {
             by: (0..path.moves.len())
                 .map(|i| self.shift(path.shifts(i)))
                 .collect(),
@@ -613,7 +613,7 @@ struct Expected {
 
 /// Shifts of a program's moves, with their accuracy.
 #[derive(Debug, Default)]
-struct Shifted {
+struct ShiftedMoves {
     /// Shift of each move, mm.
     by: Vec<Vec3>,
     /// Factor by which errors of the triggers are multiplied.
@@ -621,7 +621,7 @@ struct Shifted {
 }
 
 impl Expected {
-    fn of(request: &Request<'_>, Shifted { by: shifts, reach }: Shifted) -> Self {
+    fn of(request: &Request<'_>, ShiftedMoves { by: shifts, reach }: ShiftedMoves) -> Self {
         let path = request.path;
         let far = path
             .touches
@@ -672,12 +672,12 @@ impl Expected {
     }
 
     /// Contact of a motion if it is the next touch. `next` counts the touches.
-    fn next(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Met {
+    fn next(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> ProbeOutcome {
         let Some((k, (begin, end))) = self.touches.get(*next) else {
-            return Met::Nothing;
+            return ProbeOutcome::Nothing;
         };
         if !(self.near(step.to, *end) && self.near(step.from, *begin)) {
-            return Met::Nothing;
+            return ProbeOutcome::Nothing;
         }
         *next += 1;
         self.contact(step, triggers[*k])
@@ -689,7 +689,7 @@ impl Expected {
 
     /// Contact of a motion in a program that may not match the path, if it is one of the touches. Of several touches at the same position, to the last digit,
     /// the next one counts.
-    fn meets(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Option<Met> {
+    fn meets(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Option<ProbeOutcome> {
         let own = |touch: &(usize, (Place, Place))| {
             self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0)
         };
@@ -705,10 +705,10 @@ impl Expected {
     }
 
     /// A contact: the axes stop on the commanded line, rounded like it.
-    fn contact(&self, step: &Step, trigger: Vec3) -> Met {
+    fn contact(&self, step: &Step, trigger: Vec3) -> ProbeOutcome {
         let (from, to) = (Vec3::from_array(step.from), Vec3::from_array(step.to));
         let (trigger, way) = (trigger / self.scale, (to - from).normalize_or_zero());
-        Met::Something(
+        ProbeOutcome::Contact(
             (from + way * (trigger - from).dot(way)).to_array(),
             trigger.to_array(),
         )
@@ -818,7 +818,9 @@ impl Expected {
         let wanted = match step.purpose {
             MovePurpose::Touch(_) | MovePurpose::Search(_) => Kind::Touch,
             MovePurpose::Retract(_) => plain,
-            MovePurpose::Position if !(request.protected && request.post.watches) => plain,
+            MovePurpose::Position if !(request.protected && request.post.watches_positioning) => {
+                plain
+            }
             MovePurpose::Position if from.is_none() && !request.post.watches_first => plain,
             // Too short for a probe move.
             MovePurpose::Position

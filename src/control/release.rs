@@ -1,7 +1,7 @@
 //! Releases programs: a program of moves must be proven equal to its path, and every mandatory safety rule must hold.
 
 use crate::control::prove::{self, Fault, Part, Proof};
-use crate::control::safety::{self, Restarts, Verdict};
+use crate::control::safety::{self, RestartPoints, Verdict};
 use crate::control::{Program, ProgramForm, Request};
 
 /// A program that may be handed out. Only [`release`] creates one.
@@ -43,14 +43,15 @@ pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refu
             verdicts: safety::not_followed(),
         });
     }
-    let followed = prove::follow(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;
+    let followed =
+        prove::read_and_trace(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;
     let proof = match request.form {
         ProgramForm::Moves => Some(
             prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?,
         ),
         ProgramForm::Cycle => None,
     };
-    let verdicts = safety::check(request, &followed, Restarts::Telling);
+    let verdicts = safety::check(request, &followed, RestartPoints::Critical);
     let broken: Vec<Verdict> = verdicts
         .iter()
         .filter(|verdict| verdict.refuses())

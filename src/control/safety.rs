@@ -1,14 +1,14 @@
 //! Safety rules, each with a reason, checked against the trace of a program and not against its text.
 
 use crate::control::Request;
-use crate::control::iso::machine::{self, Endings, Outcome, Run};
+use crate::control::iso::machine::{self, Run, TailOutcome, TailRunner};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
     CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE, RESTART,
     TOLERANCE, WATCHED, WRITE_LAST,
 };
-use crate::control::trace::{Ending, Kind, Step};
+use crate::control::trace::{Kind, ProbeConsequence, Step};
 use crate::formula::{CheckKind, ResultCheck};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
@@ -17,21 +17,21 @@ use crate::text::{Text, text, words};
 pub struct Rule {
     pub name: &'static str,
     /// The requirement, in a sentence.
-    pub says: &'static str,
+    pub requirement: &'static str,
     pub why: &'static str,
     /// Whether a program that breaks it is refused. The others depend on the job.
-    pub must: bool,
+    pub mandatory: bool,
     /// Whether a native cycle is responsible for it, so that nothing is known here.
     pub own_cycle: bool,
     /// Lines that the rule concerns, 0-based, whether they keep or break it.
-    pub about: About,
+    pub about: Scope,
     /// Finds the lines that break it, each with its fault.
-    pub breaks: fn(&Case<'_>) -> Vec<Break>,
+    pub violations: fn(&RuleContext<'_>) -> Vec<Violation>,
 }
 
 /// Lines that a rule concerns.
 #[derive(Clone, Copy, Debug)]
-pub enum About {
+pub enum Scope {
     /// Line of the first motion.
     First,
     /// Line of the first touch.
@@ -47,24 +47,24 @@ pub enum About {
 }
 
 /// A violation: the 0-based line, `None` for the whole program, and its description.
-pub type Break = (Option<usize>, Text);
+pub type Violation = (Option<usize>, Text);
 
 /// Blocks at which the program is restarted, to see what it writes then.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Restarts {
+pub enum RestartPoints {
     /// Every block from the first motion on.
     Every,
     /// The blocks with most and fewest touches done, and those of the write: in a program of the writer the others give nothing else.
-    Telling,
+    Critical,
 }
 
 /// Input of a rule.
 #[derive(Debug)]
-pub struct Case<'a> {
+pub struct RuleContext<'a> {
     /// The request of the program.
     pub request: &'a Request<'a>,
     pub followed: &'a Followed<'a>,
-    pub restarts: Restarts,
+    pub restarts: RestartPoints,
 }
 
 /// Verdict of a rule on a program.
@@ -95,165 +95,165 @@ impl Verdict {
 pub static RULES: &[Rule] = &[
     Rule {
         name: "modes-stated",
-        says: "Units, plane, absolute mode and feed per minute are stated before the first motion",
+        requirement: "Units, plane, absolute mode and feed per minute are stated before the first motion",
         why: "A mode left over from another program moves the probe elsewhere.",
-        must: true,
+        mandatory: true,
         own_cycle: false,
-        about: About::First,
-        breaks: modes_stated,
+        about: Scope::First,
+        violations: modes_stated,
     },
     Rule {
         name: "spindle-off",
-        says: "The spindle is off before the first motion",
+        requirement: "The spindle is off before the first motion",
         why: "A rotating probe breaks its cable or its stylus.",
-        must: true,
+        mandatory: true,
         own_cycle: false,
-        about: About::First,
-        breaks: spindle_off,
+        about: Scope::First,
+        violations: spindle_off,
     },
     Rule {
         name: "probe-asked",
-        says: "If the probe is deflected at the start, the program ends before the first touch",
+        requirement: "If the probe is deflected at the start, the program ends before the first touch",
         why: "A deflected probe reports nothing: the first move would run into the part.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::FirstTouch,
-        breaks: probe_asked,
+        about: Scope::FirstTouch,
+        violations: probe_asked,
     },
     Rule {
         name: "probe-free-again",
-        says: "If the probe is still deflected after an unwatched move, the program ends before the next probing move",
+        requirement: "If the probe is still deflected after an unwatched move, the program ends before the next probing move",
         why: "A probe that stays deflected reports nothing: the next touch would run into the part.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Motions(|step| step.stuck.is_some()),
-        breaks: probe_free_again,
+        about: Scope::Motions(|step| step.still_deflected.is_some()),
+        violations: probe_free_again,
     },
     Rule {
         name: LOW_START,
-        says: "A stylus below the first position goes straight up first, or nothing moves",
+        requirement: "A stylus below the first position goes straight up first, or nothing moves",
         why: "A low move in the plane can hit a fixture or the part.",
-        must: true,
+        mandatory: true,
         own_cycle: false,
-        about: About::First,
-        breaks: low_start,
+        about: Scope::First,
+        violations: low_start,
     },
     Rule {
         name: WATCHED,
-        says: "Every positioning move is watched, and a contact in it ends the program",
+        requirement: "Every positioning move is watched, and a contact in it ends the program",
         why: "A contact that goes unnoticed breaks the probe.",
-        must: false,
+        mandatory: false,
         own_cycle: false,
-        about: About::Positioning,
-        breaks: positioning_watched,
+        about: Scope::Positioning,
+        violations: positioning_watched,
     },
     Rule {
         name: CONTACT_LIFTS,
-        says: "A contact in positioning leads to an exit that only lifts, and only where the way up is free",
+        requirement: "A contact in positioning leads to an exit that only lifts, and only where the way up is free",
         why: "A probe left in contact is driven on by whatever runs next.",
-        must: true,
+        mandatory: true,
         own_cycle: false,
-        about: About::Motions(|step| step.kind == Kind::Watched),
-        breaks: contact_lifts,
+        about: Scope::Motions(|step| step.kind == Kind::Watched),
+        violations: contact_lifts,
     },
     Rule {
         name: "missed-touch-stops",
-        says: "A missed touch ends the program with an alarm",
+        requirement: "A missed touch ends the program with an alarm",
         why: "A result without its touch is wrong, and would be written.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Motions(|step| matches!(step.kind, Kind::Touch | Kind::Unchecked)),
-        breaks: missed_touch_stops,
+        about: Scope::Motions(|step| matches!(step.kind, Kind::Touch | Kind::Unchecked)),
+        violations: missed_touch_stops,
     },
     Rule {
         name: MISS_LIFTS,
-        says: "Every missed touch leads to the same exit, which only lifts",
+        requirement: "Every missed touch leads to the same exit, which only lifts",
         why: "After a missed touch the ball is where nothing has been checked.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Motions(|step| step.kind == Kind::Touch),
-        breaks: missed_touch_lifts,
+        about: Scope::Motions(|step| step.kind == Kind::Touch),
+        violations: missed_touch_lifts,
     },
     Rule {
         name: "feeds-stated",
-        says: "Every probing block states its own feed",
+        requirement: "Every probing block states its own feed",
         why: "A feed left over from a rapid move is a hundred times too fast for a touch.",
-        must: true,
+        mandatory: true,
         own_cycle: false,
-        about: About::Motions(Step::probes),
-        breaks: feeds_stated,
+        about: Scope::Motions(Step::probes),
+        violations: feeds_stated,
     },
     Rule {
         name: NO_LOW_RAPID,
-        says: "No rapid goes down or across below the clearance plane, except back from a touch",
+        requirement: "No rapid goes down or across below the clearance plane, except back from a touch",
         why: "The part is below it, and a rapid move does not stop in time.",
-        must: false,
+        mandatory: false,
         own_cycle: false,
-        about: About::Motions(|step| step.kind == Kind::Rapid),
-        breaks: no_low_rapid,
+        about: Scope::Motions(|step| step.kind == Kind::Rapid),
+        violations: no_low_rapid,
     },
     Rule {
         name: WRITE_LAST,
-        says: "No work offset is written before every touch has succeeded, and none on the way to an exit",
+        requirement: "No work offset is written before every touch has succeeded, and none on the way to an exit",
         why: "A half-measured offset looks like a good one.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Writes,
-        breaks: offset_after_touches,
+        about: Scope::Writes,
+        violations: offset_after_touches,
     },
     Rule {
         name: ONE_WRITE,
-        says: "No more than one work offset is written, each of its values once",
+        requirement: "No more than one work offset is written, each of its values once",
         why: "A second write would apply the correction again.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Writes,
-        breaks: one_write,
+        about: Scope::Writes,
+        violations: one_write,
     },
     Rule {
         name: PLAUSIBLE,
-        says: "A result that is off its nominal value by more than its limit ends the program with an alarm before anything is written",
+        requirement: "A result that is off its nominal value by more than its limit ends the program with an alarm before anything is written",
         why: "A chip on the first wall would be written as the place of the part.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Writes,
-        breaks: plausible_before_write,
+        about: Scope::Writes,
+        violations: plausible_before_write,
     },
     Rule {
         name: TOLERANCE,
-        says: "A result out of its tolerance stops the program where the job says so, and nowhere else",
+        requirement: "A result out of its tolerance stops the program where the job says so, and nowhere else",
         why: "Machining would continue on a bad part, or stop on a good one.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Last,
-        breaks: tolerance_obeyed,
+        about: Scope::Last,
+        violations: tolerance_obeyed,
     },
     Rule {
         name: PLACE,
-        says: "A result that a later cycle follows and that is off by more than its limit ends the program before it moves to that cycle",
+        requirement: "A result that a later cycle follows and that is off by more than its limit ends the program before it moves to that cycle",
         why: "A chip under the first touch would send the probe into the part.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Last,
-        breaks: place_within_limit,
+        about: Scope::Last,
+        violations: place_within_limit,
     },
     Rule {
         name: RESTART,
-        says: "Started again in its middle, with variables empty or as the last run left them, the program writes nothing",
+        requirement: "Started again in its middle, with variables empty or as the last run left them, the program writes nothing",
         why: "After an alarm operators start the last block again: touches that were not made would be written.",
-        must: true,
+        mandatory: true,
         own_cycle: true,
-        about: About::Writes,
-        breaks: restart_writes_nothing,
+        about: Scope::Writes,
+        violations: restart_writes_nothing,
     },
     Rule {
         name: "ends-above",
-        says: "The program reaches its end, with the ball no lower than the path's end",
+        requirement: "The program reaches its end, with the ball no lower than the path's end",
         why: "The next program starts where this one ends.",
-        must: true,
+        mandatory: true,
         own_cycle: false,
-        about: About::Last,
-        breaks: ends_above,
+        about: Scope::Last,
+        violations: ends_above,
     },
 ];
 
@@ -269,14 +269,18 @@ pub fn not_followed() -> Vec<Verdict> {
             message: message.to_owned(),
             lines: Vec::new(),
             about: Vec::new(),
-            must: rule.must,
+            must: rule.mandatory,
         })
         .collect()
 }
 
 /// Verdicts on a traced program.
-pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts) -> Vec<Verdict> {
-    let case = Case {
+pub fn check(
+    request: &Request<'_>,
+    followed: &Followed<'_>,
+    restarts: RestartPoints,
+) -> Vec<Verdict> {
+    let case = RuleContext {
         request,
         followed,
         restarts,
@@ -297,7 +301,7 @@ pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts)
         .collect()
 }
 
-fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
+fn verdict(rule: &Rule, case: &RuleContext<'_>) -> Verdict {
     let unable = case.request.post.why_not(rule.name);
     let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
     let (holds, message, lines) = if let Some(why) = unable {
@@ -309,7 +313,7 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
             Vec::new(),
         )
     } else {
-        let breaks = (rule.breaks)(case);
+        let breaks = (rule.violations)(case);
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
             None if rule.name == WATCHED && case.first_way().is_some() => (
@@ -319,7 +323,7 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
                 ),
                 Vec::new(),
             ),
-            None => (Some(true), Text::words(rule.says), Vec::new()),
+            None => (Some(true), Text::words(rule.requirement), Vec::new()),
             Some((_, what)) => (Some(false), what, lines),
         }
     };
@@ -334,11 +338,11 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
         message,
         lines,
         about,
-        must: rule.must,
+        must: rule.mandatory,
     }
 }
 
-impl Case<'_> {
+impl RuleContext<'_> {
     fn steps(&self) -> &[Step] {
         &self.followed.trace.steps
     }
@@ -358,8 +362,8 @@ impl Case<'_> {
     }
 
     /// Lines that a rule concerns, in the order in which the program reaches them.
-    fn lines(&self, about: About) -> Vec<usize> {
-        if let About::Writes = about {
+    fn lines(&self, about: Scope) -> Vec<usize> {
+        if let Scope::Writes = about {
             return self
                 .followed
                 .trace
@@ -371,12 +375,12 @@ impl Case<'_> {
         let mut lines = Vec::new();
         for (i, step) in self.steps().iter().enumerate() {
             let asked = match about {
-                About::First => i == 0,
-                About::FirstTouch => step.kind == Kind::Touch && lines.is_empty(),
-                About::Last => i + 1 == self.steps().len(),
-                About::Motions(which) => which(step),
-                About::Positioning => self.positions(i),
-                About::Writes => false,
+                Scope::First => i == 0,
+                Scope::FirstTouch => step.kind == Kind::Touch && lines.is_empty(),
+                Scope::Last => i + 1 == self.steps().len(),
+                Scope::Motions(which) => which(step),
+                Scope::Positioning => self.positions(i),
+                Scope::Writes => false,
             };
             if asked && lines.last() != Some(&step.line) {
                 lines.push(step.line);
@@ -425,7 +429,7 @@ impl Case<'_> {
     }
 }
 
-fn modes_stated(case: &Case<'_>) -> Vec<Break> {
+fn modes_stated(case: &RuleContext<'_>) -> Vec<Violation> {
     let Some(first) = case.steps().first() else {
         return Vec::new();
     };
@@ -453,7 +457,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
             modes.offset == case.request.work_offset,
         ),
     ];
-    let mut breaks: Vec<Break> = right
+    let mut breaks: Vec<Violation> = right
         .iter()
         .filter(|(_, right)| !right)
         .map(|(what, _)| {
@@ -497,7 +501,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     breaks
 }
 
-fn spindle_off(case: &Case<'_>) -> Vec<Break> {
+fn spindle_off(case: &RuleContext<'_>) -> Vec<Violation> {
     let Some(first) = case.steps().first() else {
         return Vec::new();
     };
@@ -509,24 +513,24 @@ fn spindle_off(case: &Case<'_>) -> Vec<Break> {
         )];
     }
     trace
-        .spun
+        .spindle_line
         .into_iter()
         .map(|line| (Some(line), text!("This switches the spindle on")))
         .collect()
 }
 
-fn probe_asked(case: &Case<'_>) -> Vec<Break> {
+fn probe_asked(case: &RuleContext<'_>) -> Vec<Violation> {
     let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else {
         return Vec::new();
     };
     let run = Run {
         deflected: true,
-        ..case.followed.begin
+        ..case.followed.run_start
     };
     match machine::deflected(&case.followed.script, run) {
-        Ok(Ending::ControlStops) => Vec::new(),
-        Ok(Ending::Exit {
-            strays: false,
+        Ok(ProbeConsequence::ControlStops) => Vec::new(),
+        Ok(ProbeConsequence::Exit {
+            moves_sideways: false,
             writes: false,
             ..
         }) => Vec::new(),
@@ -541,13 +545,13 @@ fn probe_asked(case: &Case<'_>) -> Vec<Break> {
     }
 }
 
-fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
-    let ends = |ending: Ending| {
+fn probe_free_again(case: &RuleContext<'_>) -> Vec<Violation> {
+    let ends = |ending: ProbeConsequence| {
         matches!(
             ending,
-            Ending::ControlStops
-                | Ending::Exit {
-                    strays: false,
+            ProbeConsequence::ControlStops
+                | ProbeConsequence::Exit {
+                    moves_sideways: false,
                     writes: false,
                     ..
                 }
@@ -555,7 +559,7 @@ fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
     };
     case.steps()
         .iter()
-        .filter(|step| step.stuck.is_some_and(|ending| !ends(ending)))
+        .filter(|step| step.still_deflected.is_some_and(|ending| !ends(ending)))
         .map(|step| {
             (
                 Some(step.line),
@@ -565,7 +569,7 @@ fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn low_start(case: &Case<'_>) -> Vec<Break> {
+fn low_start(case: &RuleContext<'_>) -> Vec<Violation> {
     let Some(first) = case.request.path.moves.first() else {
         return Vec::new();
     };
@@ -577,14 +581,14 @@ fn low_start(case: &Case<'_>) -> Vec<Break> {
         across && step.to[tool] < height - case.digit()
     };
     case.followed
-        .below
+        .from_below
         .iter()
         .filter(low)
         .map(|step| (Some(step.line), says()))
         .collect()
 }
 
-fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
+fn positioning_watched(case: &RuleContext<'_>) -> Vec<Violation> {
     let shortest = case.request.shortest_watched() / case.request.scale;
     let first_way = case.first_way().unwrap_or(0);
     // Length of consecutive unwatched pieces.
@@ -614,7 +618,7 @@ fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
+fn contact_lifts(case: &RuleContext<'_>) -> Vec<Violation> {
     let top = case.level(case.request.highest());
     let tool = case.tool();
     let bad = |step: &&Step| {
@@ -624,9 +628,9 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
         let free = !rises && met < top - case.digit();
         match step.contact {
             // At the highest level of the path, within the last digit, a lift is neither needed nor harmful.
-            Ending::Exit {
+            ProbeConsequence::Exit {
                 lifts,
-                strays,
+                moves_sideways: strays,
                 writes,
                 ..
             } => {
@@ -634,7 +638,7 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
                     !step.from[tool].is_nan() && (rises || (met - top).abs() > 2.0 * case.digit());
                 strays || writes || (lifts != free && known)
             }
-            Ending::ControlStops | Ending::GoesOn => true,
+            ProbeConsequence::ControlStops | ProbeConsequence::Continues => true,
         }
     };
     case.steps()
@@ -652,12 +656,12 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
+fn missed_touch_stops(case: &RuleContext<'_>) -> Vec<Violation> {
     let loose = case
         .steps()
         .iter()
         .filter(|step| step.kind == Kind::Unchecked);
-    let mut breaks: Vec<Break> = loose
+    let mut breaks: Vec<Violation> = loose
         .map(|step| {
             (Some(step.line), text!("This probing move has no check: the program continues with and without a contact"))
         })
@@ -676,22 +680,22 @@ fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
     breaks
 }
 
-fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
+fn missed_touch_lifts(case: &RuleContext<'_>) -> Vec<Violation> {
     let mut exit = None;
     let top = case.level(case.request.highest());
     let tool = case.tool();
     let mut bad = |step: &&Step| match step.miss {
-        Ending::Exit {
+        ProbeConsequence::Exit {
             line,
             lifts,
-            strays,
+            moves_sideways: strays,
             writes,
         } => {
             let same = *exit.get_or_insert(line) == line;
             let free = step.to[tool] < top - case.digit();
             !same || strays || writes || lifts != free
         }
-        Ending::ControlStops | Ending::GoesOn => true,
+        ProbeConsequence::ControlStops | ProbeConsequence::Continues => true,
     };
     case.steps()
         .iter()
@@ -706,10 +710,10 @@ fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
+fn feeds_stated(case: &RuleContext<'_>) -> Vec<Violation> {
     case.steps()
         .iter()
-        .filter(|step| step.probes() && !step.own_feed)
+        .filter(|step| step.probes() && !step.states_feed)
         .map(|step| {
             (
                 Some(step.line),
@@ -719,7 +723,7 @@ fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
+fn no_low_rapid(case: &RuleContext<'_>) -> Vec<Violation> {
     let (tool, top) = (case.tool(), case.level(case.request.highest()));
     let low = |step: &Step| {
         let across = (0..3).any(|axis| axis != tool && step.from[axis] != step.to[axis]);
@@ -738,7 +742,7 @@ fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
+fn offset_after_touches(case: &RuleContext<'_>) -> Vec<Violation> {
     let trace = &case.followed.trace;
     let last = trace
         .steps
@@ -746,7 +750,7 @@ fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
         .rposition(|step| step.kind == Kind::Touch)
         .map_or(0, |at| at + 1);
     let early = trace.writes.iter().filter(|write| write.after < last);
-    let mut breaks: Vec<Break> = early
+    let mut breaks: Vec<Violation> = early
         .map(|write| {
             (
                 Some(write.line),
@@ -754,7 +758,8 @@ fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
             )
         })
         .collect();
-    let writes = |ending: Ending| matches!(ending, Ending::Exit { writes: true, .. });
+    let writes =
+        |ending: ProbeConsequence| matches!(ending, ProbeConsequence::Exit { writes: true, .. });
     let exits = trace
         .steps
         .iter()
@@ -768,7 +773,7 @@ fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
     breaks
 }
 
-fn one_write(case: &Case<'_>) -> Vec<Break> {
+fn one_write(case: &RuleContext<'_>) -> Vec<Violation> {
     let writes = &case.followed.trace.writes;
     writes
         .iter()
@@ -787,7 +792,7 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
 }
 
 /// A check of a result in a program: its name, variable, expected value and limit, in the units of the program.
-struct Answer {
+struct CheckedResult {
     question: ResultCheck,
     named: String,
     slot: Slot,
@@ -796,7 +801,7 @@ struct Answer {
 }
 
 /// The checks that a program makes. A check that belongs to no result of the program breaks the rule; `line` is then reported.
-fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
+fn answers(case: &RuleContext<'_>, line: Option<usize>) -> Result<Vec<CheckedResult>, Violation> {
     let of = |question: ResultCheck| {
         let formula = &case.request.path.formula;
         let named = formula.code(&formula.results[question.result]).into_owned();
@@ -813,11 +818,11 @@ fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
         } else {
             case.request.scale
         };
-        Ok(Answer {
+        Ok(CheckedResult {
             question,
             named,
             slot,
-            wanted: question.wanted / unit,
+            wanted: question.expected / unit,
             limit: question.limit / unit,
         })
     };
@@ -825,11 +830,11 @@ fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
 }
 
 /// Runs the end of the program again.
-fn endings<'s>(case: &Case<'s>) -> Option<Endings<'s, 's>> {
+fn endings<'s>(case: &RuleContext<'s>) -> Option<TailRunner<'s, 's>> {
     let Followed {
         script,
         tail,
-        begin,
+        run_start: begin,
         ..
     } = case.followed;
     tail.ending(script, *begin)
@@ -837,13 +842,13 @@ fn endings<'s>(case: &Case<'s>) -> Option<Endings<'s, 's>> {
 
 /// Outcome of the end of the program if one result, or each, deviates by this share of its limit; the others have their expected values.
 fn outcome(
-    endings: &mut Option<Endings<'_, '_>>,
-    answers: &[Answer],
+    endings: &mut Option<TailRunner<'_, '_>>,
+    answers: &[CheckedResult],
     off: Option<usize>,
     share: f64,
-) -> Outcome {
+) -> TailOutcome {
     let value = |i: usize| {
-        let Answer {
+        let CheckedResult {
             slot,
             wanted,
             limit,
@@ -863,18 +868,18 @@ fn outcome(
     let values = (0..answers.len()).chain(off).map(value);
     endings
         .as_mut()
-        .map_or_else(Outcome::default, |endings| endings.outcome(values))
+        .map_or_else(TailOutcome::default, |endings| endings.outcome(values))
 }
 
 /// Shares of its limit at which a result is tried beyond it. An edited program is tried far beyond, too.
-fn beyond(case: &Case<'_>) -> &'static [f64] {
+fn beyond(case: &RuleContext<'_>) -> &'static [f64] {
     match case.restarts {
-        Restarts::Telling => &[-1.01, 1.01],
-        Restarts::Every => &[-1.01, 1.01, -3.0, 3.0, -1000.0, 1000.0],
+        RestartPoints::Critical => &[-1.01, 1.01],
+        RestartPoints::Every => &[-1.01, 1.01, -3.0, 3.0, -1000.0, 1000.0],
     }
 }
 
-fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
+fn plausible_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
     let Some(write) = case.followed.trace.writes.first() else {
         return Vec::new();
     };
@@ -889,7 +894,7 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
         let outcome = outcome(&mut endings, &asked, off, share);
         !outcome.stops || outcome.writes
     };
-    let mut breaks: Vec<Break> = Vec::new();
+    let mut breaks: Vec<Violation> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
         if beyond(case).iter().any(|share| writes(Some(i), *share)) {
             let message = text!(
@@ -920,14 +925,14 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     breaks
 }
 
-fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
+fn tolerance_obeyed(case: &RuleContext<'_>) -> Vec<Violation> {
     let asked = match answers(case, None) {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
     let writes = case.request.writes_offset();
     let mut endings = endings(case);
-    let mut breaks: Vec<Break> = Vec::new();
+    let mut breaks: Vec<Violation> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
         let stops = match answer.question.asked {
             CheckKind::Plausibility | CheckKind::FollowLimit => continue,
@@ -936,7 +941,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
         };
         // Just out of tolerance may be implausible as well; then the program stops.
         let implausible = |value: f64| {
-            let of_same = |other: &&Answer| {
+            let of_same = |other: &&CheckedResult| {
                 other.slot == answer.slot && other.question.asked == CheckKind::Plausibility
             };
             writes
@@ -974,7 +979,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
     breaks
 }
 
-fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
+fn place_within_limit(case: &RuleContext<'_>) -> Vec<Violation> {
     let path = case.request.path;
     let mut breaks = Vec::new();
     for (m, member) in path.cycles.iter().enumerate() {
@@ -1003,12 +1008,12 @@ fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
     breaks
 }
 
-fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
+fn restart_writes_nothing(case: &RuleContext<'_>) -> Vec<Violation> {
     let Followed {
         script,
         trace,
         tail,
-        begin,
+        run_start: begin,
         ..
     } = case.followed;
     let (Some(write), Some(first)) = (trace.writes.first(), trace.steps.first()) else {
@@ -1025,8 +1030,8 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     let mut touches: Vec<usize> = trace.touch_lines().collect();
     touches.sort_unstable();
     let starts: Vec<usize> = match case.restarts {
-        Restarts::Every => (from..script.blocks.len()).collect(),
-        Restarts::Telling => {
+        RestartPoints::Every => (from..script.blocks.len()).collect(),
+        RestartPoints::Critical => {
             /// Number of blocks before a write at which the program is restarted.
             const BEFORE: usize = 6;
             let last = trace.writes.last().map_or(0, |write| block_of(write.line));
@@ -1039,7 +1044,7 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
             after.chain(writing).collect()
         }
     };
-    let empty = vec![script.vacant.unwrap_or(f64::NAN); script.slots];
+    let empty = vec![script.unset_value.unwrap_or(f64::NAN); script.slots];
     // Results of a displaced part: none has its expected value.
     let mut left = tail.last_values().to_vec();
     for (i, (_, slot)) in script.outputs().enumerate() {
@@ -1055,9 +1060,9 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     };
     let mut budget = 4 * machine::BUDGET;
     let mut writes = |(i, block): &(usize, &usize)| {
-        let left = script.vacant.map(|_| left.as_slice());
+        let left = script.unset_value.map(|_| left.as_slice());
         // The longest run is made with one of the two.
-        let once = *i == 0 && case.restarts == Restarts::Telling && left.is_some();
+        let once = *i == 0 && case.restarts == RestartPoints::Critical && left.is_some();
         let mut values = left.into_iter().chain((!once).then_some(empty.as_slice()));
         values.any(|values| {
             machine::restarted(
@@ -1091,7 +1096,7 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     .collect()
 }
 
-fn ends_above(case: &Case<'_>) -> Vec<Break> {
+fn ends_above(case: &RuleContext<'_>) -> Vec<Violation> {
     let trace = &case.followed.trace;
     if !trace.ends {
         return vec![(None, text!("The program has no end"))];

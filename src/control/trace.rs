@@ -17,13 +17,13 @@ pub struct Trace {
     /// Motions in other modes than the first one: 0-based lines and modes, the first few.
     pub changed: Vec<(usize, Modes)>,
     /// Line of the first block that switches the spindle on.
-    pub spun: Option<usize>,
+    pub spindle_line: Option<usize>,
     /// Results that it reports: code and value.
     pub outputs: Vec<(String, f64)>,
     /// Writes to work offsets.
-    pub writes: Vec<Write>,
+    pub writes: Vec<OffsetWrite>,
     /// Reading of the ball centre in the written work offset after all writes, and the rotation of the system.
-    pub written: Option<Written>,
+    pub written: Option<OffsetEffect>,
     /// Lines of native cycles.
     pub natives: Vec<usize>,
     /// Whether the program reaches its end.
@@ -46,7 +46,7 @@ impl Trace {
             .filter(|axis| axes[*axis])
             .map(Some)
             .chain(turn.then_some(None));
-        self.writes.extend(own.map(|axis| Write {
+        self.writes.extend(own.map(|axis| OffsetWrite {
             line,
             number,
             axis,
@@ -70,15 +70,15 @@ pub struct Step {
     /// Feed; `None` is a rapid.
     pub feed: Option<f64>,
     /// Whether its own block states the feed.
-    pub own_feed: bool,
+    pub states_feed: bool,
     /// Centre of an arc, and whether it is clockwise.
     pub arc: Option<(Place, bool)>,
     /// Consequence of a contact, if the move is watched.
-    pub contact: Ending,
+    pub contact: ProbeConsequence,
     /// Consequence of a miss, if the move must touch.
-    pub miss: Ending,
+    pub miss: ProbeConsequence,
     /// Consequence if the probe is still deflected from the previous motion; `None` if that was watched.
-    pub stuck: Option<Ending>,
+    pub still_deflected: Option<ProbeConsequence>,
 }
 
 impl Step {
@@ -106,9 +106,9 @@ pub enum Kind {
 
 /// Consequence of a probing move with the unexpected outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum ProbeConsequence {
     /// The program continues, or the move does not probe.
-    GoesOn,
+    Continues,
     /// The control stops with an alarm at the present position.
     ControlStops,
     /// The program stops with its own alarm.
@@ -118,22 +118,22 @@ pub enum Ending {
         /// Whether it lifts before, straight along the tool axis.
         lifts: bool,
         /// Whether it moves in any other direction before.
-        strays: bool,
+        moves_sideways: bool,
         /// Whether it writes a work offset before.
         writes: bool,
     },
 }
 
-impl Ending {
+impl ProbeConsequence {
     /// Whether the program stops.
     pub fn stops(self) -> bool {
-        self != Ending::GoesOn
+        self != ProbeConsequence::Continues
     }
 }
 
 /// One write to a work offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Write {
+pub struct OffsetWrite {
     /// Its 0-based line.
     pub line: usize,
     /// The number of the offset, 1 = G54.
@@ -146,7 +146,7 @@ pub struct Write {
 
 /// Effect of the writes to a work offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Written {
+pub struct OffsetEffect {
     /// A position in the previous system.
     pub place: Place,
     /// Its reading afterwards.

@@ -300,7 +300,7 @@ pub fn catalog() -> Catalog {
                 extension: post.extension,
                 work_offsets: post.work_offsets,
                 first_length: post.first_length,
-                watches: post.watches,
+                watches: post.watches_positioning,
                 computes: post.computes,
                 corrects_tools: post.own.is_some_and(|own| own.corrects_tools),
                 unused: post.unused,
@@ -309,14 +309,14 @@ pub fn catalog() -> Catalog {
                     .iter()
                     .flat_map(|def| {
                         ProgramForm::ALL.map(|form| {
-                            let reason = (post.serves)(def.probes, form).err();
+                            let reason = (post.supports)(def.probes, form).err();
                             SupportEntry {
                                 key: def.key,
                                 form: form.word(),
                                 supported: reason.is_none(),
                                 reason,
                                 own_preset: form == ProgramForm::Cycle
-                                    && (post.own_preset)(def.probes),
+                                    && (post.cycle_sets_preset)(def.probes),
                             }
                         })
                     })
@@ -327,7 +327,7 @@ pub fn catalog() -> Catalog {
             .iter()
             .map(|rule| RuleEntry {
                 name: rule.name,
-                says: rule.says,
+                says: rule.requirement,
                 why: rule.why,
             })
             .collect(),

@@ -10,9 +10,9 @@ mod circle;
 mod draft;
 mod dual;
 mod join;
+mod lower;
 mod name;
 mod node;
-mod plain;
 mod relate;
 mod repeat;
 mod turned;
@@ -116,7 +116,7 @@ pub struct ResultCheck {
     /// Assignment with the result.
     pub variable: Variable,
     /// Expected value: nominal, or the middle of the tolerance; mm or degrees.
-    pub wanted: f64,
+    pub expected: f64,
     /// Largest allowed deviation from the expected value.
     pub limit: f64,
     /// Whether the result is an angle; otherwise a length.
@@ -137,7 +137,7 @@ impl ResultCheck {
     /// program, mm or degrees.
     pub fn complaint(&self, unit: f64) -> String {
         let number = |x: f64| decimal(x / unit, 12);
-        let (limit, wanted) = (self.limit, self.wanted);
+        let (limit, wanted) = (self.limit, self.expected);
         match self.asked {
             CheckKind::Plausibility | CheckKind::FollowLimit => {
                 format!(", more than {} from {}", number(limit), number(wanted))
@@ -151,7 +151,7 @@ impl ResultCheck {
 
     /// Whether a value, mm or degrees, is within the limit. Unknown values are not. At the limit itself rounding of the touches decides nothing.
     pub fn is_within(&self, value: f64) -> bool {
-        (value - self.wanted).abs() <= self.limit + ON_LIMIT
+        (value - self.expected).abs() <= self.limit + ON_LIMIT
     }
 }
 
@@ -395,7 +395,7 @@ impl Formula {
             return self;
         }
         let draft = Draft::with_room_for(MOST_SAMPLES);
-        let variables = plain::write(&self, &draft, &plain::RawTriggers);
+        let variables = lower::write(&self, &draft, &lower::RawTriggers);
         self.written(draft, &variables)
     }
 
@@ -404,7 +404,7 @@ impl Formula {
     pub fn repeated(self, times: usize, along: &[Vec3], limit: Option<f64>) -> Formula {
         let draft = Draft::with_room_for(times * along.len());
         let repeats = Repeats::of(times, along, self.used());
-        let variables = plain::write(&self, &draft, &repeats);
+        let variables = lower::write(&self, &draft, &repeats);
         repeats.state(&draft, limit);
         self.written(draft, &variables)
     }
@@ -468,7 +468,7 @@ impl Formula {
                     asked: CheckKind::Plausibility,
                     result: index,
                     variable,
-                    wanted,
+                    expected: wanted,
                     limit,
                     angle,
                 });
@@ -493,7 +493,7 @@ impl Formula {
                 asked,
                 result,
                 variable,
-                wanted,
+                expected: wanted,
                 limit,
                 angle: def.role.is_angle(),
             })
@@ -514,7 +514,7 @@ impl Formula {
             asked: CheckKind::FollowLimit,
             result,
             variable,
-            wanted: def.nominal,
+            expected: def.nominal,
             limit,
             angle,
         })

@@ -1,8 +1,8 @@
 //! Relations between features: results computed from results, in the joint formula.
 
 use crate::formula::draft::{Draft, Expr, Value};
+use crate::formula::lower;
 use crate::formula::node::Variable;
-use crate::formula::plain;
 use crate::formula::{
     CircleFit, Coordinate, CycleSamples, Formula, Name, OffsetCorrection, ResultDef, Role,
     fit_circle,
@@ -287,7 +287,7 @@ fn pitch_circle<'f>(
     let (middle, radius) =
         fit(&nominal).map_or((Vec2::NAN, f64::NAN), |fit| (fit.center, fit.radius));
     let at = |k: usize, axis: usize| Expr::from(of[k][axis].value);
-    let [x, y, r, residual] = plain::circle(f, 1, 0..of.len(), &at);
+    let [x, y, r, residual] = lower::circle(f, 1, 0..of.len(), &at);
     let (x, y) = (f.set("center_x", x), f.set("center_y", y));
     let diameter = f.set("diameter", f.number(2.0) * r);
     let datum = center(f, (x, middle.x), (y, middle.y));

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use crate::formula::draft::{Draft, Expr, Value};
-use crate::formula::plain::TriggerSource;
+use crate::formula::lower::TriggerSource;
 use crate::formula::{Name, Role, UsedTriggers};
 use crate::geom::Vec3;
 use crate::num::tidy;

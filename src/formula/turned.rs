@@ -7,8 +7,8 @@
 use std::cell::RefCell;
 
 use crate::formula::draft::{Draft, Expr, Value};
+use crate::formula::lower::{self, TriggerSource};
 use crate::formula::node::Variable;
-use crate::formula::plain::{self, TriggerSource};
 use crate::formula::{Coordinate, Formula, Name, OffsetCorrection, ResultDef, Role, UsedTriggers};
 
 /// Rotation of a cycle and its centre.
@@ -216,7 +216,7 @@ fn write<'f>(
         used: own.used(),
         written: RefCell::default(),
     };
-    let variables = plain::write(own, f, &back);
+    let variables = lower::write(own, f, &back);
     let known = |variable: Variable| f.known(variables[variable.index()]);
     // Abscissa and ordinate on the rotated part, by their values in the frame of the drawing. Unmeasured coordinates are nominal there.
     let places: RefCell<Vec<(Pair, [Variable; 2])>> = RefCell::default();

@@ -1,11 +1,11 @@
 //! Jobs from text: a dump of a CAM system's parameters, or a program.
 
-mod adopt;
+mod call_to_job;
 mod codes;
+mod dialect_markers;
 mod dump;
 mod klartext;
 mod program;
-mod signs;
 pub mod toolpath;
 
 /// Kind of a move in a program.

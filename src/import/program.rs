@@ -5,17 +5,18 @@ use serde::Serialize;
 
 use crate::control::header::{self, HeaderLines};
 use crate::control::iso::lex::{
-    self, Token, after, comment_at, lines_of, tokens, trimmed, without_count, without_number,
+    self, Token, comment_at, lines_of, strip_prefix_nocase, tokens, trimmed, without_count,
+    without_number,
 };
 use crate::control::iso::lines;
-use crate::control::iso::machine::{self, Met, Run};
-use crate::control::iso::script::Trouble;
+use crate::control::iso::machine::{self, ProbeOutcome, Run};
+use crate::control::iso::script::ReadError;
 use crate::control::prove::Fault;
 use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
 use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
-use crate::import::signs::{self, Sign};
+use crate::import::dialect_markers::{self, DialectMarker};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
 use crate::job::{
     DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow,
@@ -110,7 +111,7 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         checker.info("other-version", "", message);
     }
     let plan = crate::job::plan(&job);
-    match crate::job::examine(&job, text) {
+    match crate::job::check_program(&job, text) {
         Some(Err(faults))
             if faults.iter().any(|fault| !fault.understood) && written_for_another(&job, text) =>
         {
@@ -632,7 +633,7 @@ fn code(line: &str, round: bool) -> &str {
     let inner = trimmed(&line[at + 1..]);
     let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"]
         .iter()
-        .any(|word| after(inner, word).is_some());
+        .any(|word| strip_prefix_nocase(inner, word).is_some());
     // The text of an alarm belongs to its block.
     let alarm = trimmed(line).starts_with("#3000");
     if round && line[at..].starts_with('(') && (does || alarm) {
@@ -653,10 +654,10 @@ fn probes(text: &str) -> bool {
 /// probes.
 pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut checker = Checker::default();
-    let mut least: Option<(&PostDef, Vec<Trouble>)> = None;
+    let mut least: Option<(&PostDef, Vec<ReadError>)> = None;
     let mut found: Option<(&PostDef, Trace)> = None;
-    let sign = signs::of(text);
-    if sign == Some(Sign::RepRap) {
+    let sign = dialect_markers::of(text);
+    if sign == Some(DialectMarker::RepRap) {
         checker.error(
             "not-understood",
             "",
@@ -744,18 +745,20 @@ fn understands_more(trace: &Trace, before: &Trace) -> bool {
 }
 
 /// Whether a text may be for this control, by its syntax.
-fn may_be_for(post: &PostDef, sign: Option<Sign>, text: &str) -> bool {
+fn may_be_for(post: &PostDef, sign: Option<DialectMarker>, text: &str) -> bool {
     match sign {
-        Some(Sign::LinuxCnc) => post.key == "linuxcnc",
-        Some(Sign::Rs274) => matches!(post.key, "linuxcnc" | "grbl" | "grblhal" | "fluidnc"),
-        Some(Sign::LikeFanuc) => matches!(post.key, "fanuc" | "haas"),
-        Some(Sign::Klartext | Sign::RepRap) => false,
+        Some(DialectMarker::LinuxCnc) => post.key == "linuxcnc",
+        Some(DialectMarker::Rs274) => {
+            matches!(post.key, "linuxcnc" | "grbl" | "grblhal" | "fluidnc")
+        }
+        Some(DialectMarker::LikeFanuc) => matches!(post.key, "fanuc" | "haas"),
+        Some(DialectMarker::Klartext | DialectMarker::RepRap) => false,
         None => post.key == "sinumerik" || toolpath::guessed(text) != "sinumerik",
     }
 }
 
 /// A text traced as a program for a control, on an unknown part.
-fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
+fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<ReadError>>> {
     // Any start but a position that a program may name first.
     const ANYWHERE: [f64; 3] = [417.3125, -233.6875, 301.0625];
     let script = (post.read?)(text);
@@ -770,7 +773,7 @@ fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
             highest: f64::INFINITY,
             strict: false,
         };
-        machine::run(&script, run, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])
+        machine::run(&script, run, &mut |_| ProbeOutcome::Unknown).map_err(|trouble| vec![trouble])
     }))
 }
 

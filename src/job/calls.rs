@@ -4,7 +4,7 @@
 use crate::form::{Checker, Value};
 use crate::job::Job;
 use crate::job::defaults::resolved;
-use crate::job::planned::Planned;
+use crate::job::planned::PlannedJob;
 use crate::path::{CallBlock, Feature, Parameter, ParameterValue, Path};
 
 /// Change of a value, in units of the job.
@@ -71,14 +71,14 @@ struct Word {
     measures: bool,
 }
 
-fn planned(job: &Value) -> Option<Planned> {
+fn planned(job: &Value) -> Option<PlannedJob> {
     let mut checker = Checker::default();
-    let planned = Planned::of(Job::read(&mut checker, job)?);
-    (!checker.failed() && planned.refused.is_empty()).then_some(planned)
+    let planned = PlannedJob::of(Job::read(&mut checker, job)?);
+    (!checker.failed() && planned.native_rejections.is_empty()).then_some(planned)
 }
 
 /// Words of the calls; `None` if nothing is called.
-fn words(planned: &Planned) -> Option<Vec<Word>> {
+fn words(planned: &PlannedJob) -> Option<Vec<Word>> {
     let (own, cycles) = (planned.path.calls.as_ref()?, planned.job.post.own?);
     let all = own.blocks.iter().flat_map(|(block, _)| {
         let measures = block.measures();
@@ -103,7 +103,7 @@ fn words(planned: &Planned) -> Option<Vec<Word>> {
 }
 
 /// Rows of the documented cycle's table.
-fn table(planned: &Planned) -> Vec<Parameter> {
+fn table(planned: &PlannedJob) -> Vec<Parameter> {
     let documented: Path = planned.job.cycle.plan(&planned.job.setup);
     planned
         .job

@@ -47,7 +47,7 @@ pub fn is_set_up(job: &Value) -> bool {
 }
 
 /// The job of a single cycle of a set-up, without faults of the set-up itself.
-pub fn alone(job: &Value, index: usize) -> Option<Value> {
+pub fn single_cycle_job(job: &Value, index: usize) -> Option<Value> {
     let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else {
         return None;
     };

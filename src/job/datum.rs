@@ -4,7 +4,7 @@ use crate::form::{Checker, Value};
 use crate::formula::Role;
 use crate::geom::AXIS_NAMES;
 use crate::job::cycles::DATUM;
-use crate::job::planned::{Planned, several};
+use crate::job::planned::{PlannedJob, several};
 use crate::job::rows::{DatumRow, ResultRow, ResultWords};
 use crate::num::tidy;
 use crate::path::{DatumSource, Path, ResultSource};
@@ -25,7 +25,7 @@ struct Candidate {
 pub fn read(
     checker: &mut Checker,
     value: &Value,
-    whole: &Planned,
+    whole: &PlannedJob,
     writes: bool,
 ) -> Option<DatumSource> {
     let (path, members) = (&whole.path, &whole.members);
@@ -114,7 +114,7 @@ pub fn read(
 }
 
 /// Checks the write of native cycles: each writes immediately after measuring, and everything that it measures.
-fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
+fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
     let members = &whole.members;
     let moves = members[0].job.post.moves();
     let name = |member: usize| whole.path.cycles[member].name.clone();
@@ -263,7 +263,7 @@ fn proposed(path: &Path, axis: usize, of: std::ops::Range<usize>) -> Option<usiz
 }
 
 /// Rows for the write: deviations of the measured position and rotation from nominal.
-pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
+pub fn written_rows(whole: &PlannedJob, results: &[ResultRow]) -> Vec<ResultRow> {
     let (job, path) = (&whole.job, &whole.path);
     let (Some(number), Some(datum)) = (job.work_offset, &path.formula.datum) else {
         return Vec::new();
@@ -387,7 +387,7 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
 }
 
 /// Possible sources of each axis, and the used one.
-pub fn datum_rows(whole: &Planned) -> Vec<DatumRow> {
+pub fn datum_rows(whole: &PlannedJob) -> Vec<DatumRow> {
     let (path, source) = (&whole.path, whole.path.datum_source);
     if path.cycles.is_empty() {
         return Vec::new();

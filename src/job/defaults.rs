@@ -2,7 +2,9 @@
 
 use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, SubForm, Value};
-use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names, with_size_limit};
+use crate::job::cycles::{
+    RELATIONS, SET_UP_FORMAT, is_set_up, names, single_cycle_job, with_size_limit,
+};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, USUAL_SIZE, Units};
 use crate::job::sized;
@@ -265,7 +267,7 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     let mut whole = None;
     let mut all = Vec::with_capacity(cycles.len());
     for (index, name) in names(cycles).into_iter().enumerate() {
-        let Value::Map(single) = resolved(&alone(job, index)?)? else {
+        let Value::Map(single) = resolved(&single_cycle_job(job, index)?)? else {
             return None;
         };
         let Some((_, Value::Map(mut cycle))) =

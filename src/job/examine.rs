@@ -2,16 +2,16 @@
 
 use crate::control::Request;
 use crate::control::prove::{self, Fault, Followed, Part};
-use crate::control::safety::{self, Restarts};
+use crate::control::safety::{self, RestartPoints};
 use crate::form::{Checker, Value};
 use crate::job::SafetyRow;
 use crate::job::defaults::resolved;
 use crate::job::plan::{plan_with_path, read, request};
 #[cfg(test)]
-use crate::job::planned::Planned;
+use crate::job::planned::PlannedJob;
 
 /// Calls `ask` with the request for a job's program; `None` if the job has errors.
-fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) -> Option<T> {
+fn with_request<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) -> Option<T> {
     let planned = read(&mut Checker::default(), value)?;
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     let whole = if header { resolved(value) } else { None };
@@ -20,25 +20,25 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
 
 /// Safety rules for a text that is meant to be the program of this job; `None` if the job has errors, or its control's programs are not read. Faults are lines
 /// that are not understood, or are invalid at their position.
-pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
-    about(value, false, |request| {
+pub fn check_program(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
+    with_request(value, false, |request| {
         // Other programs are compared block by block.
         if !request.is_followed() {
             return None;
         }
         let rules = |followed: Followed<'_>| {
-            safety::check(request, &followed, Restarts::Every)
+            safety::check(request, &followed, RestartPoints::Every)
                 .into_iter()
                 .map(SafetyRow::of)
                 .collect()
         };
-        Some(prove::follow(request, text, Part::Unknown).map(rules))
+        Some(prove::read_and_trace(request, text, Part::Unknown).map(rules))
     })?
 }
 
 /// The program of a planned job, read back and checked.
 #[cfg(test)]
-pub fn released(planned: &Planned) -> Result<String, crate::control::release::Refusal> {
+pub fn released(planned: &PlannedJob) -> Result<String, crate::control::release::Refusal> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     let request = request(planned, &feeds, None);
     let released = crate::control::release::release(&request, (request.post.emit)(&request))?;
@@ -52,8 +52,8 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
         .iter()
         .map(|line| usize::try_from(*line).ok())
         .collect();
-    let proven = about(value, false, |request| {
-        prove::follow(request, text, Part::Path)
+    let proven = with_request(value, false, |request| {
+        prove::read_and_trace(request, text, Part::Path)
             .and_then(|followed| prove::prove(request, &followed, &lines))
     });
     proven.is_some_and(|proof| proof.is_ok())
@@ -62,12 +62,12 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
 /// Whether a control's reader reads a text the same with and without cached lines, for the fuzzer: the same program or the same faults. `None` if it reads no
 /// program.
 #[doc(hidden)]
-pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
+pub fn reads_same_with_cache(post: &str, text: &str) -> Option<bool> {
     let read = crate::control::POSTS
         .iter()
         .find(|known| known.key == post)?
         .read?;
-    let anew = crate::control::iso::memory::without(|| read(text));
+    let anew = crate::control::iso::line_cache::without_cache(|| read(text));
     Some(read(text) == anew)
 }
 
@@ -76,13 +76,13 @@ pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
 #[doc(hidden)]
 pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
     use std::hint::black_box;
-    about(value, true, |request| {
+    with_request(value, true, |request| {
         let Some(read) = request.post.read else {
             return;
         };
         let program = (request.post.emit)(request);
         let prove = || {
-            let followed = prove::follow(request, &program.text, Part::Path)?;
+            let followed = prove::read_and_trace(request, &program.text, Part::Path)?;
             prove::prove(request, &followed, &program.move_lines).map(|_| followed)
         };
         // In this order nothing is cached too early.
@@ -101,7 +101,7 @@ pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &m
                 drop(black_box(safety::check(
                     request,
                     &followed,
-                    Restarts::Telling,
+                    RestartPoints::Critical,
                 )))
             })
         });

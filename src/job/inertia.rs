@@ -64,7 +64,7 @@ fn report_starts(job: &Job, request: &Request<'_>, checker: &mut Checker) {
 
 /// Reports watched positioning at a feed at which a contact breaks the stylus: one finding for each feed.
 fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
-    if !job.post.watches || !job.protected {
+    if !job.post.watches_positioning || !job.protected {
         return;
     }
     let (machine, path) = (job.machine, request.path);

@@ -5,7 +5,7 @@ use crate::form::Checker;
 use crate::formula::{self, CheckKind, ON_LIMIT, ResultCheck, Tolerance};
 use crate::geom::Vec3;
 use crate::job::Job;
-use crate::job::planned::Planned;
+use crate::job::planned::PlannedJob;
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::path::{Guard, Off, Path};
 use crate::text::{Text, text};
@@ -55,8 +55,8 @@ fn report_tolerances(
             "{result} is {value}, not {low} to {high}",
             row.meaning.clone(),
             shown(row.value.unwrap_or(f64::NAN)),
-            shown(tidy(question.wanted - question.limit)),
-            shown(tidy(question.wanted + question.limit))
+            shown(tidy(question.expected - question.limit)),
+            shown(tidy(question.expected + question.limit))
         );
         let message = match (question.stops(writes), writes) {
             (true, true) => text!(
@@ -169,13 +169,13 @@ fn wall_turn(path: &Path, triggers: &[Option<Vec3>], group: usize) -> Option<f64
 
 /// Reports the reaction of the program on the virtual part to results that are implausible or out of tolerance. `off` comes from [`judge`].
 pub fn report_judged(
-    planned: &Planned,
+    planned: &PlannedJob,
     rows: &[formula::ResultRow],
     off: &[ResultCheck],
     writes: bool,
     checker: &mut Checker,
 ) {
-    let Planned { job, path, run, .. } = planned;
+    let PlannedJob { job, path, run, .. } = planned;
     let field = if job.placement.nominal {
         "limits"
     } else {
@@ -212,7 +212,7 @@ pub fn report_judged(
     };
     let (value, wanted, limit) = (
         shown(row.value.unwrap_or(f64::NAN)),
-        shown(question.wanted),
+        shown(question.expected),
         shown(question.limit),
     );
     let what = text!(

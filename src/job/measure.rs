@@ -7,10 +7,10 @@ use crate::formula::{CheckKind, Role};
 use crate::geom::Vec3;
 use crate::job::judge::judge;
 use crate::job::plan::request;
-use crate::job::planned::{Planned, judge_touches};
+use crate::job::planned::{PlannedJob, judge_touches};
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
-use crate::job::{Job, JobError, datum, follows, relations, set_up};
-use crate::part::{self, Expected, Stand};
+use crate::job::{Job, JobError, datum, dependencies, relations, set_up};
+use crate::part::{self, EndState, MeasurementContext};
 use crate::path::Path;
 use crate::text::{Text, text};
 
@@ -28,8 +28,8 @@ pub struct Measurement {
 }
 
 /// Results of a planned job. Findings of the `checker` about the job are returned with errors only.
-pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurement, JobError> {
-    let Planned { job, path, .. } = planned;
+pub fn of(planned: &PlannedJob, value: &Value, checker: Checker) -> Result<Measurement, JobError> {
+    let PlannedJob { job, path, .. } = planned;
     let mut own = Checker::in_units(job.scale, job.unit);
     let measured = part::read_measured(&mut own, value, &expected(job, path));
     part::check_measured(&mut own, &measured, &expected(job, path));
@@ -63,12 +63,12 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
 /// Results from touches, or those that a control computed, and whether all of them are plausible. `path` has the formula; for a cycle that follows a direction
 /// it is rotated by the points.
 fn evaluated(
-    planned: &Planned,
+    planned: &PlannedJob,
     path: &Path,
     points: &[Option<Vec3>],
     stated: Option<&[Option<f64>]>,
 ) -> (Vec<ResultRow>, bool) {
-    let Planned { job, members, .. } = planned;
+    let PlannedJob { job, members, .. } = planned;
     if members.is_empty() {
         let mut rows = match stated {
             Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
@@ -83,11 +83,11 @@ fn evaluated(
     let (mut results, mut plausible) = (Vec::new(), true);
     for (i, (own, member)) in members.iter().zip(&path.cycles).enumerate() {
         let stated = stated.map(|results| &results[member.results.clone()]);
-        let turned = follows::turned(planned, i, points);
+        let turned = dependencies::turned(planned, i, points);
         let path = turned.as_ref().unwrap_or(&own.path);
         let (rows, good) = evaluated(own, path, &points[member.touches.clone()], stated);
         plausible &= good;
-        results.extend(set_up::rows_of(i, rows));
+        results.extend(set_up::cycle_rows(i, rows));
     }
     if !path.relations.is_empty() {
         let rows = match stated {
@@ -102,8 +102,8 @@ fn evaluated(
 
 /// Ball centres of a text for the picture: each with its touch, in the job's units. Empty if the text cannot be read, or gives results.
 #[cfg(target_arch = "wasm32")]
-pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
-    let Planned { job, path, .. } = planned;
+pub fn points(planned: &PlannedJob, text: &str) -> Vec<(usize, Vec3)> {
+    let PlannedJob { job, path, .. } = planned;
     let mut checker = Checker::in_units(job.scale, job.unit);
     let measured = part::read_measured(
         &mut checker,
@@ -119,9 +119,9 @@ pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
         .collect()
 }
 
-fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
+fn expected<'a>(job: &'a Job, path: &'a Path) -> MeasurementContext<'a> {
     let variable = |(result, stored)| Some(((job.post.own?.name)(stored), result));
-    Expected {
+    MeasurementContext {
         path,
         radius: job.setup.radius,
         names: [job.name.clone(), (job.post.name)(&job.name)],
@@ -131,14 +131,14 @@ fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
 
 /// The block to type, if the control's program cannot write a work offset and the log is sufficient; else the reason why there is none.
 fn block(
-    planned: &Planned,
+    planned: &PlannedJob,
     points: &[Option<Vec3>],
-    stand: &Stand,
+    stand: &EndState,
     plausible: bool,
     checker: &mut Checker,
 ) -> Option<String> {
-    let Planned { job, path, .. } = planned;
-    let typed = job.post.typed_write?;
+    let PlannedJob { job, path, .. } = planned;
+    let typed = job.post.manual_offset_block?;
     let datum = path
         .formula
         .datum
@@ -151,7 +151,7 @@ fn block(
         .iter()
         .zip(&measured)
         .any(|(wanted, value)| *wanted && value.is_none());
-    let why = match (&stand.away, stand.offset) {
+    let why = match (&stand.reason, stand.offset) {
         _ if missing => Err(text!("a result that it needs is unknown")),
         _ if !plausible => Err(text!("a result is off by more than its limit")),
         (Some(away), _) => Err(text!(

@@ -3,7 +3,7 @@
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
 use crate::job::SECTIONS;
-use crate::job::cycles::{MOST_CYCLES, alone, is_set_up};
+use crate::job::cycles::{MOST_CYCLES, is_set_up, single_cycle_job};
 use crate::text::{Text, text, words};
 
 const POINT: &str = words!("a list of three numbers");
@@ -12,7 +12,7 @@ const OBJECT: &str = words!("an object");
 const LIST: &str = words!("a list");
 
 /// Reason why the form cannot show a job, as a sentence with the path; `None` if it can.
-pub fn misfit(job: &Value) -> Option<Text> {
+pub fn form_problem(job: &Value) -> Option<Text> {
     if !matches!(job, Value::Map(_)) {
         return Some(text!("The job must be an object"));
     }
@@ -27,8 +27,8 @@ pub fn misfit(job: &Value) -> Option<Text> {
                 0
             ));
         }
-        let own = |index: usize| match alone(job, index) {
-            Some(alone) => misfit(&alone),
+        let own = |index: usize| match single_cycle_job(job, index) {
+            Some(alone) => form_problem(&alone),
             None => Some(text!(
                 "{path} must be {what}",
                 format!("cycles[{index}]"),
@@ -160,8 +160,9 @@ mod tests {
 
     #[test]
     fn a_job_fits_whose_sections_and_lists_are_what_they_are() {
-        let said =
-            |text: &str| misfit(&crate::job::from_json(text).unwrap()).map(|text| text.english());
+        let said = |text: &str| {
+            form_problem(&crate::job::from_json(text).unwrap()).map(|text| text.english())
+        };
         let of = |rest: &str| said(&format!(r#"{{ "cycle": {{ "type": "hole" }}, {rest} }}"#));
         for fits in [
             r#""name": 5"#,
@@ -232,7 +233,7 @@ mod tests {
             ("touches".to_owned(), Value::List(touches)),
         ];
         assert_eq!(
-            misfit(&Value::Map(vec![(
+            form_problem(&Value::Map(vec![(
                 "cycle".to_owned(),
                 Value::Map(cycle.to_vec())
             )])),

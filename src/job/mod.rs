@@ -11,8 +11,8 @@ mod calls;
 mod cycles;
 mod datum;
 mod defaults;
+mod dependencies;
 mod examine;
-mod follows;
 mod inertia;
 mod judge;
 mod lentoax;
@@ -20,6 +20,8 @@ mod measure;
 #[cfg(any(test, target_arch = "wasm32"))]
 mod misfit;
 mod naming;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod number_field;
 mod picture;
 mod plan;
 mod planned;
@@ -31,8 +33,6 @@ mod sections;
 mod set_up;
 mod sized;
 mod stock;
-#[cfg(any(test, target_arch = "wasm32"))]
-mod stretch;
 mod stylus;
 mod tolerances;
 mod units;
@@ -55,36 +55,36 @@ pub use units::convert_units;
 pub use crate::view::scene::Projection;
 
 pub(crate) use cycles::{
-    CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_set_up,
+    CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, is_set_up, single_cycle_job,
 };
 pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_in_inch};
-pub(crate) use examine::examine;
+pub(crate) use dependencies::LONGEST_PLACE;
+pub(crate) use examine::check_program;
 #[cfg(test)]
 pub(crate) use examine::{proves, released};
-pub(crate) use follows::LONGEST_PLACE;
 pub(crate) use lentoax::{MOST_STEPS, STEP_ANGLE};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use measure::points;
 #[cfg(target_arch = "wasm32")]
-pub(crate) use misfit::misfit;
+pub(crate) use misfit::form_problem;
+#[cfg(target_arch = "wasm32")]
+pub(crate) use number_field::{NumberField, with_number};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use picture::Picture;
 #[cfg(any(test, target_arch = "wasm32"))]
 pub(crate) use plan::minutes;
 pub(crate) use plan::{plan_with_path, planned, writes_any};
-pub(crate) use planned::Planned;
+pub(crate) use planned::PlannedJob;
 #[cfg(any(test, target_arch = "wasm32"))]
 pub(crate) use proposed_stock::proposed_stock;
 pub(crate) use sections::{Job, SECTIONS, STOCK, TOLERANCES, UNITS, section, size_reach};
-#[cfg(target_arch = "wasm32")]
-pub(crate) use stretch::{NumberField, with_number};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
 pub(crate) use wear::WEAR;
 
 /// For `npm run bench` and the fuzzer. Not part of the stable interface.
 #[doc(hidden)]
-pub use examine::{reads_alike, stages};
+pub use examine::{reads_same_with_cache, stages};
 
 use crate::form::{Checker, Finding, Value};
 

@@ -2,7 +2,7 @@
 
 use crate::form::{BestView, Value};
 use crate::geom::Vec3;
-use crate::job::{JobError, Planned, plan_with_path};
+use crate::job::{JobError, PlannedJob, plan_with_path};
 use crate::num::decimal;
 use crate::part::{self, Stock};
 use crate::path::ONE_LEVEL;
@@ -26,16 +26,16 @@ pub struct Picture {
     pub deviates: bool,
 }
 
-impl Planned {
+impl PlannedJob {
     /// The active cycle, by its index in the list; the job itself if it has one cycle.
-    pub fn in_hand(&self, hand: usize) -> &Planned {
+    pub fn in_hand(&self, hand: usize) -> &PlannedJob {
         self.members.get(hand).unwrap_or(self)
     }
 
     /// The job, its path and its run on the virtual part, from one viewing direction. Deviations are drawn `magnify` times as large. In a set-up all cycles are
     /// drawn, the active one (`hand`) with its dimensions, the others pale; without `hand` all are active.
     pub fn picture(&self, view: Projection, magnify: f64, hand: Option<usize>) -> Picture {
-        let Planned {
+        let PlannedJob {
             job,
             path,
             run,
@@ -80,7 +80,7 @@ impl Planned {
 
     /// Scene of one cycle.
     fn scene(&self, view: Projection, magnify: f64) -> Scene {
-        let Planned {
+        let PlannedJob {
             job,
             path,
             surfaces,

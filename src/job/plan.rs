@@ -13,14 +13,14 @@ use crate::job::cycles::is_set_up;
 use crate::job::defaults::{is_default, overlay};
 use crate::job::inertia::report_inertia;
 use crate::job::judge::{judge, report_judged};
-use crate::job::planned::{Planned, judge_touches};
+use crate::job::planned::{PlannedJob, judge_touches};
 use crate::job::rows::{
     Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows,
     triple,
 };
 use crate::job::stylus::{purpose, report_stylus, report_unknown};
 use crate::job::{
-    Job, JobError, datum, follows, relations, resolved, set_up, stock, tolerances, wear,
+    Job, JobError, datum, dependencies, relations, resolved, set_up, stock, tolerances, wear,
 };
 use crate::num::{decimal, tidy};
 use crate::part;
@@ -30,7 +30,7 @@ use crate::path::{
 use crate::text::{Text, text};
 
 /// Reads a job and plans its path, or those of its cycles. Reports everything; `None` if anything is an error.
-pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
+pub fn read(checker: &mut Checker, value: &Value) -> Option<PlannedJob> {
     let planned = read_in_its_form(checker, value);
     if checker.has_at("form-unsupported", "control.form") && is_taken_in(value, ProgramForm::Cycle)
     {
@@ -43,11 +43,11 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     planned
 }
 
-fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<Planned> {
+fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<PlannedJob> {
     let read = if is_set_up(value) {
         set_up::read(checker, value)
     } else {
-        Job::read(checker, value).map(Planned::of)
+        Job::read(checker, value).map(PlannedJob::of)
     };
     let mut planned = read?;
     tolerances::read(checker, value, &mut planned);
@@ -106,7 +106,11 @@ fn is_taken_in(value: &Value, form: ProgramForm) -> bool {
     overlay(&mut value, &Value::Map(vec![("control".to_owned(), form)]));
     let planned = read_in_its_form(&mut Checker::default(), &value);
     planned.is_some_and(|planned| {
-        planned.refused.is_empty() && planned.members.iter().all(|cycle| cycle.refused.is_empty())
+        planned.native_rejections.is_empty()
+            && planned
+                .members
+                .iter()
+                .all(|cycle| cycle.native_rejections.is_empty())
     })
 }
 
@@ -200,7 +204,8 @@ fn picked(job: &Job, path: &Path, k: usize) -> String {
 
 /// Reports a positioning move that passes close to the nominal part: on a part displaced by that much, it makes contact.
 fn report_passes(job: &Job, path: &Path, checker: &mut Checker) {
-    let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, NEAR - 1e-9)
+    let Some((index, gap)) =
+        part::closest_pass(path, &path.surfaces, job.setup.radius, NEAR - 1e-9)
     else {
         return;
     };
@@ -254,13 +259,13 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
 }
 
 /// Reports a touch that triggers so close to its start that the program treats the probe as still deflected.
-fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
+fn report_at_start(job: &Job, path: &Path, run: &part::PartRun, checker: &mut Checker) {
     let near = |k: usize, from: Vec3| {
         let way = (run.triggers[k]? - from).abs();
         (way.x + way.y + way.z <= job.post.nearest_trigger).then_some(way.length())
     };
     let found = run
-        .ran
+        .shifted_path
         .as_deref()
         .unwrap_or(path)
         .searches()
@@ -360,14 +365,14 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
 /// Results that the control will store on the virtual part. A run with a collision ends before the results: nothing is stored. `writes`: whether an implausible
 /// result keeps the program from writing; `None` if the program stops before its checks.
 fn predicted(
-    planned: &Planned,
+    planned: &PlannedJob,
     writes: Option<bool>,
     checker: &mut Checker,
 ) -> Vec<formula::ResultRow> {
-    let Planned { job, path, run, .. } = planned;
+    let PlannedJob { job, path, run, .. } = planned;
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
-    part::add_truth(
+    part::add_true_values(
         &mut rows,
         actual_formula.as_ref().unwrap_or(&path.formula),
         job.setup.plane,
@@ -378,7 +383,7 @@ fn predicted(
     if path.calls.is_none() {
         judge_touches(job, path, &run.triggers, &mut rows);
     }
-    if run.collision.is_none() && run.halt.is_none() {
+    if run.collision.is_none() && run.stopped_before.is_none() {
         let off = judge(job, path, &mut rows);
         // If the program stops before a dependent cycle, it makes no further checks.
         if writes.is_some() {
@@ -395,10 +400,10 @@ fn predicted(
 }
 
 /// Reports faults of the path of one cycle, and of its run.
-fn report_path(planned: &Planned, checker: &mut Checker) {
-    let Planned { job, path, .. } = planned;
+fn report_path(planned: &PlannedJob, checker: &mut Checker) {
+    let PlannedJob { job, path, .. } = planned;
     report_predefined(job, checker);
-    for (code, field, message) in &planned.refused {
+    for (code, field, message) in &planned.native_rejections {
         checker.error(code, field.clone(), message.clone());
     }
     let feeds = path.feeds.unwrap_or(job.feeds);
@@ -411,7 +416,7 @@ fn report_path(planned: &Planned, checker: &mut Checker) {
 }
 
 /// Reports notes about the results of one cycle.
-fn report_results(planned: &Planned, results: &[ResultRow], checker: &mut Checker) {
+fn report_results(planned: &PlannedJob, results: &[ResultRow], checker: &mut Checker) {
     report_untrue(&planned.job, results, checker);
     report_uncertain(&planned.job, results, checker);
     report_rotation(&planned.job, &planned.path, checker);
@@ -420,8 +425,8 @@ fn report_results(planned: &Planned, results: &[ResultRow], checker: &mut Checke
 }
 
 /// Checks the path of a job, and of each cycle of a set-up, and predicts the results.
-fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>, JobError> {
-    let Planned {
+fn results_of(planned: &PlannedJob, checker: &mut Checker) -> Result<Vec<ResultRow>, JobError> {
+    let PlannedJob {
         job, path, members, ..
     } = planned;
     if members.is_empty() {
@@ -448,7 +453,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         .iter()
         .map(|member| member.name.clone())
         .collect();
-    let mut merged = set_up::Merged::new(&names);
+    let mut merged = set_up::MergedFindings::new(&names);
     let mut own: Vec<Checker> = Vec::with_capacity(members.len());
     for member in members {
         let mut checker = Checker::in_units(job.scale, job.unit);
@@ -464,7 +469,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         .run
         .collision
         .map(|(index, _)| path.member_of_move(index).unwrap_or(0));
-    let measured = match (planned.run.halt, collides) {
+    let measured = match (planned.run.stopped_before, collides) {
         _ if planned.dry.is_some() => 0,
         (Some((before, _)), within) => before.min(within.unwrap_or(before)),
         (None, within) => within.unwrap_or(members.len()),
@@ -473,8 +478,8 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
-            let asks =
-                (planned.run.halt.is_none() && planned.dry.is_none()).then(|| planned.writes());
+            let asks = (planned.run.stopped_before.is_none() && planned.dry.is_none())
+                .then(|| planned.writes());
             let mut rows = predicted(member, asks, &mut checker);
             if i >= measured {
                 rows.iter_mut().for_each(unknown);
@@ -485,7 +490,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
             }
             let feeds = member.path.feeds.unwrap_or(member.job.feeds);
             (job.post.check)(&request(member, &feeds, None), &mut checker);
-            results.extend(set_up::rows_of(i, own));
+            results.extend(set_up::cycle_rows(i, own));
         }
         merged.take(i, checker.findings());
     }
@@ -502,10 +507,10 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         .collect();
     merged.give(checker);
     said.into_iter()
-        .for_each(|finding| checker.adopt(set_up::of_whole(finding)));
+        .for_each(|finding| checker.adopt(set_up::program_finding(finding)));
     if planned.dry.is_none() {
         report_rotation(job, path, checker);
-        follows::report(planned, checker);
+        dependencies::report(planned, checker);
     }
     if checker.failed() {
         return Err(JobError {
@@ -531,8 +536,8 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
 }
 
 /// Makes the plan, without its table. `value` is the given job, `checker` has the findings of the check.
-pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
-    let Planned { job, path, run, .. } = planned;
+pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
+    let PlannedJob { job, path, run, .. } = planned;
     let feeds = path.feeds.unwrap_or(job.feeds);
     let results = results_of(planned, &mut checker)?;
     let whole = if job.header == HeaderDetail::Full {
@@ -667,7 +672,7 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
 }
 
 /// The plan of a job with its path, and without the table, which [`Planned::table`] makes when it is read.
-pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
+pub fn plan_with_path(value: &Value) -> Result<(PlannedJob, Plan), JobError> {
     let mut checker = Checker::default();
     let Some(planned) = read(&mut checker, value) else {
         return Err(JobError {
@@ -679,23 +684,23 @@ pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
 }
 
 /// The path of a job and its run on the actual part, in mm; `None` for a job with errors.
-pub fn planned(value: &Value) -> Option<Planned> {
+pub fn planned(value: &Value) -> Option<PlannedJob> {
     read(&mut Checker::default(), value)
 }
 
 /// Whether the program of a job writes a work offset or a preset in any way.
-pub fn writes_any(planned: &Planned) -> bool {
+pub fn writes_any(planned: &PlannedJob) -> bool {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     !request(planned, &feeds, None).writes().is_empty()
 }
 
 /// Request for the program of a planned job.
 pub(super) fn request<'a>(
-    planned: &'a Planned,
+    planned: &'a PlannedJob,
     feeds: &'a Feeds,
     whole: Option<&'a Value>,
 ) -> Request<'a> {
-    let Planned { job, path, dry, .. } = planned;
+    let PlannedJob { job, path, dry, .. } = planned;
     let measures = dry.is_none();
     Request {
         post: job.post,
@@ -725,8 +730,8 @@ pub(super) fn request<'a>(
 
 /// Reports events on the part. A collision with the nominal part is an error: its program is useless. A collision with a displaced virtual part is a warning:
 /// the program is correct for the nominal part.
-fn report_run(planned: &Planned, checker: &mut Checker) {
-    let Planned {
+fn report_run(planned: &PlannedJob, checker: &mut Checker) {
+    let PlannedJob {
         job,
         path,
         surfaces,
@@ -746,13 +751,13 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         if let Some(collision) = nominal.collision {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
-        let ran = run.ran.as_deref().unwrap_or(path);
+        let ran = run.shifted_path.as_deref().unwrap_or(path);
         // A cycle that the program does not reach cannot collide.
-        let actual = Some((ran, surfaces.as_slice(), run)).filter(|_| run.halt.is_none());
+        let actual = Some((ran, surfaces.as_slice(), run)).filter(|_| run.stopped_before.is_none());
         report_stylus(job, path, &nominal, actual, checker);
     }
     report_unknown(job, path, checker);
-    if run.halt.is_some() {
+    if run.stopped_before.is_some() {
         return;
     }
     if let Some(collision) = run.collision {
@@ -785,7 +790,7 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         );
         checker.warning("edge-contact", field, message);
     }
-    for &(k, wall) in &run.strays {
+    for &(k, wall) in &run.wrong_walls {
         let message = text!(
             "Touch {touch} is meant for wall {wall} and contacts wall {other} first",
             k + 1,
@@ -941,7 +946,7 @@ fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
 
 /// Time of each move, minutes; their sum is the plan's time.
 #[cfg(any(test, target_arch = "wasm32"))]
-pub fn minutes(planned: &Planned) -> Vec<f64> {
+pub fn minutes(planned: &PlannedJob) -> Vec<f64> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     let request = request(planned, &feeds, None);
     ways(&planned.job, &request)

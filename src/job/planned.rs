@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use crate::control::ProgramForm;
-use crate::control::own::machine::{Alarm, BallContact};
-use crate::control::own::{CycleLinking, NativeCycles, NativeRequest, Rejections};
+use crate::control::native_run::machine::{Alarm, BallContact};
+use crate::control::native_run::{CycleLinking, NativeCycles, NativeRequest, Rejections};
 use crate::cycle::Repeat;
 use crate::formula::{OffsetCorrection, ResultRow};
 use crate::geom::Vec3;
@@ -24,7 +24,7 @@ fn sized_surfaces<'a>(job: &Job, path: &'a Path) -> Cow<'a, [Surface]> {
 
 /// Surfaces of the actual part at their displaced positions.
 pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
-    part::place(&sized_surfaces(job, path), &job.placement)
+    part::displace_surfaces(&sized_surfaces(job, path), &job.placement)
 }
 
 /// The path, with the formula that the control computes.
@@ -34,7 +34,7 @@ fn path_of(job: &Job) -> Path {
         path.formula = std::mem::take(&mut path.formula).plain();
     }
     // 1411 has a separate field for its rotation, and is refused.
-    if !job.post.rotates && path.feature.two_circles().is_none() {
+    if !job.post.offset_has_rotation && path.feature.two_circles().is_none() {
         path.formula.without_rotation();
     }
     path
@@ -79,7 +79,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Rejections) {
         set_up: job.set_up,
         clear,
         wear: &job.wear,
-        takes_moves: (job.post.serves)(job.def.probes, ProgramForm::Moves).is_ok(),
+        takes_moves: (job.post.supports)(job.def.probes, ProgramForm::Moves).is_ok(),
     };
     let own = (cycles.plan)(
         &request,
@@ -116,24 +116,24 @@ fn own_run(
     cycles: &NativeCycles,
     surfaces: &[Surface],
     radius: f64,
-) -> part::Run {
+) -> part::PartRun {
     let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
-    let mut run = part::Run {
+    let mut run = part::PartRun {
         triggers: vec![None; path.touches.len()],
-        ..part::Run::default()
+        ..part::PartRun::default()
     };
     // A move that does not occur on the nominal part does not belong to the path.
     let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
     for made in &made {
         let step = path
             .moves
-            .get(index(made.count))
-            .filter(|_| own.counts.binary_search(&made.count).is_ok());
+            .get(index(made.ordinal))
+            .filter(|_| own.counts.binary_search(&made.ordinal).is_ok());
         if let (Some(MovePurpose::Touch(k)), Some(met)) = (step.map(|step| step.purpose), made.met)
         {
             run.triggers[k] = Some(met.center);
             if met.surface != path.touches[k].group {
-                run.strays.push((k, met.surface));
+                run.wrong_walls.push((k, met.surface));
             }
             if met.edge {
                 run.edges.push(k);
@@ -146,29 +146,29 @@ fn own_run(
     {
         run.collision = last
             .met
-            .map(|met| (index(last.count).min(path.moves.len() - 1), met.center));
+            .map(|met| (index(last.ordinal).min(path.moves.len() - 1), met.center));
     }
     run
 }
 
 /// A job with its path and its run on the actual part. Lengths in mm.
 #[derive(Debug)]
-pub struct Planned {
+pub struct PlannedJob {
     pub job: Job,
     pub path: Path,
     /// Surfaces of the actual part.
     pub surfaces: Vec<Surface>,
     /// Run of the path on those surfaces.
-    pub run: part::Run,
+    pub run: part::PartRun,
     /// Reasons against native cycles; empty if they are possible, or not asked for.
-    pub refused: Rejections,
+    pub native_rejections: Rejections,
     /// The cycles of a set-up, each planned separately; empty for a single cycle.
-    pub members: Vec<Planned>,
+    pub members: Vec<PlannedJob>,
     /// Path of a dry run, which the program makes instead.
     pub dry: Option<Path>,
 }
 
-impl Planned {
+impl PlannedJob {
     /// Plans the path of a checked job and runs it.
     pub fn of(job: Job) -> Self {
         Self::at(job, None)
@@ -187,12 +187,12 @@ impl Planned {
             _ => part::run(&path, &surfaces, &job.setup),
         };
         let dry = job.dry.map(|lift| path.dry(lift));
-        Planned {
+        PlannedJob {
             job,
             path,
             surfaces,
             run,
-            refused,
+            native_rejections: refused,
             members: Vec::new(),
             dry,
         }
@@ -220,7 +220,7 @@ impl Planned {
 
     /// The parameter table, in the job's units.
     pub fn table(&self) -> Vec<ParameterRow> {
-        let of = |(cycle, planned): (usize, &Planned)| {
+        let of = |(cycle, planned): (usize, &PlannedJob)| {
             let member = &self.path.cycles[cycle];
             let field = |field: String| match field.strip_prefix("cycle.") {
                 Some(rest) => format!("cycles[{cycle}].{rest}"),

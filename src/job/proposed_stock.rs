@@ -3,7 +3,7 @@
 use crate::form::Value;
 use crate::geom::Vec3;
 use crate::job::Job;
-use crate::job::planned::Planned;
+use crate::job::planned::PlannedJob;
 use crate::job::stock::nominal_hit;
 use crate::num::tidy;
 use crate::part::{self, Stock};
@@ -11,7 +11,7 @@ use crate::path::{ONE_LEVEL, Path, Surface};
 
 /// A block that fits the features of a job, in its units: flush with walls that are touched from outside, with a margin around the others, and with its top at
 /// the highest top side. `None` if nothing is touched, or if the path would hit that block.
-pub fn proposed_stock(Planned { job, path, .. }: &Planned) -> Option<Value> {
+pub fn proposed_stock(PlannedJob { job, path, .. }: &PlannedJob) -> Option<Value> {
     let stock = fitted(path, job)?;
     let clear = nominal_hit(job, path, &stock).is_none();
     let given = |mm: Vec3| {

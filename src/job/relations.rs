@@ -4,7 +4,7 @@ use crate::form::{Checker, Value, printable};
 use crate::formula::{self, Formula, Operand, Relation, RelationDef, ResultDef};
 use crate::job::cycles::{LONGEST_NAME, MOST_CYCLES, RELATIONS, is_name};
 use crate::job::judge::{judge, report_judged};
-use crate::job::planned::Planned;
+use crate::job::planned::PlannedJob;
 use crate::job::rows::{ResultRow, result_row};
 use crate::num::tidy;
 use crate::path::{Path, ResultSource};
@@ -501,7 +501,7 @@ impl Known<'_> {
 
 /// Reports relations with a residual on the nominal part, such as a pitch circle whose positions are not on a circle: its diameter differs from the drawing's,
 /// and the program always stops there.
-pub fn check_circles(checker: &mut Checker, whole: &Planned) {
+pub fn check_circles(checker: &mut Checker, whole: &PlannedJob) {
     let (path, Some(limit)) = (&whole.path, whole.job.limits.residual) else {
         return;
     };
@@ -534,7 +534,7 @@ pub fn check_circles(checker: &mut Checker, whole: &Planned) {
 
 /// Adds the rows of all relations to those of the cycles. `evaluated` are the rows of the joined formula.
 pub fn add_rows(
-    whole: &Planned,
+    whole: &PlannedJob,
     mut evaluated: Vec<formula::ResultRow>,
     results: &mut Vec<ResultRow>,
     checker: Option<&mut Checker>,

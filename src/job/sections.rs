@@ -8,7 +8,7 @@ use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::job::sized::{self, Sized};
 use crate::job::wear;
-use crate::part::{Machine, PartPlacement, Scatter, Shape, Stock};
+use crate::part::{Machine, PartPlacement, Stock, StylusShape, UncertaintySources};
 use crate::path::{Feeds, ProbeSettings};
 use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
@@ -360,7 +360,7 @@ pub struct Job {
     /// Standard deviation of a touch, mm.
     pub repeatability: f64,
     /// Known dimensions of the stylus above its ball.
-    pub shape: Shape,
+    pub shape: StylusShape,
     /// Eccentricity of the ball from the spindle axis, mm; `None` is unknown.
     pub runout: Option<f64>,
     /// Limits of the deviations of results from nominal.
@@ -419,8 +419,8 @@ impl PartForm {
 }
 
 impl Stylus {
-    fn shape(&self) -> Shape {
-        Shape {
+    fn shape(&self) -> StylusShape {
+        StylusShape {
             length: self.length,
             shank: self.shank,
             body: self.body,
@@ -466,8 +466,8 @@ impl FeedForm {
 
 impl Job {
     /// Sources of uncertainty. A spindle oriented to the angle of calibration includes the eccentricity in the calibration.
-    pub fn scatter(&self) -> Scatter {
-        Scatter {
+    pub fn scatter(&self) -> UncertaintySources {
+        UncertaintySources {
             repeatability: self.repeatability,
             runout: self.runout.filter(|_| self.orient.is_none()),
         }
@@ -571,7 +571,7 @@ impl Job {
         if repeats && ProgramForm::named(&control.form) == ProgramForm::Cycle {
             let takes_moves = cycle
                 .as_ref()
-                .is_some_and(|(def, ..)| (post.serves)(def.probes, ProgramForm::Moves).is_ok());
+                .is_some_and(|(def, ..)| (post.supports)(def.probes, ProgramForm::Moves).is_ok());
             let message = match takes_moves {
                 true => text!(
                     "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
@@ -762,11 +762,11 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
 fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
     if let Some(def) = def
         && checker.is_clean(&["control.post", "control.form"])
-        && let Err(why) = (post.serves)(def.probes, ProgramForm::named(&control.form))
+        && let Err(why) = (post.supports)(def.probes, ProgramForm::named(&control.form))
     {
         let other = ProgramForm::named(&control.form).other();
         let (title, form) = (post.title.to_owned(), control.form.clone());
-        let message = match (post.serves)(def.probes, other) {
+        let message = match (post.supports)(def.probes, other) {
             Ok(()) if other == ProgramForm::Moves => {
                 let other = other.word().to_owned();
                 text!(
@@ -787,8 +787,9 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         checker.error("form-unsupported", "control.form", message);
     }
     if control.run == DRY_RUN && ProgramForm::named(&control.form) == ProgramForm::Cycle {
-        let message = match def.map_or(Ok(()), |def| (post.serves)(def.probes, ProgramForm::Moves))
-        {
+        let message = match def.map_or(Ok(()), |def| {
+            (post.supports)(def.probes, ProgramForm::Moves)
+        }) {
             Ok(()) => {
                 text!(
                     "The control's own cycle touches by itself: a dry run is a program of moves. Use the form \"moves\""

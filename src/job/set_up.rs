@@ -4,20 +4,21 @@
 
 use std::cell::OnceCell;
 
-use crate::control::own::CycleLinking;
+use crate::control::native_run::CycleLinking;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::Vec3;
 use crate::job::cycles::{
-    CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names, with_size_limit,
+    CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, is_name, names, single_cycle_job,
+    with_size_limit,
 };
-use crate::job::follows::{self, Earlier};
-use crate::job::planned::{Planned, several};
+use crate::job::dependencies::{self, EarlierCycles};
+use crate::job::planned::{PlannedJob, several};
 use crate::job::relations::{self, Relations};
 use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
-use crate::part::{self, Run};
+use crate::part::{self, PartRun};
 use crate::path::{
     CallBlock, DependencyLimits, Feature, Feed, Feeds, LINK_STEP, LinkBlock, MovePurpose, Path,
     STATED_RAPID,
@@ -41,11 +42,11 @@ struct Reading<'v> {
     cycles: &'v [Value],
     names: &'v [String],
     relations: Relations<'v>,
-    merged: Merged<'v>,
+    merged: MergedFindings<'v>,
     /// Findings about followed results.
     settled: Checker,
     path: Path,
-    members: Vec<Planned>,
+    members: Vec<PlannedJob>,
     /// Job of the first cycle: control, stylus and limits apply to all cycles.
     first: Option<Job>,
     /// Whether no cycle so far has an error.
@@ -53,7 +54,7 @@ struct Reading<'v> {
 }
 
 /// Plans the cycles of a set-up and joins them. Reports refusals of each cycle at its index; `None` if anything is an error.
-pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
+pub fn read(checker: &mut Checker, value: &Value) -> Option<PlannedJob> {
     let cycles = read_list(checker, value)?;
     let names = names(cycles);
     check_names(checker, cycles, &names);
@@ -62,8 +63,8 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         value: limited.as_ref().unwrap_or(value),
         cycles,
         names: &names,
-        relations: Relations::of(checker, value, &names, &follows::followed(cycles)),
-        merged: Merged::new(&names),
+        relations: Relations::of(checker, value, &names, &dependencies::followed(cycles)),
+        merged: MergedFindings::new(&names),
         settled: Checker::default(),
         path: Path::of_set_up(),
         members: Vec::new(),
@@ -80,7 +81,7 @@ impl Reading<'_> {
     /// Reads a cycle, plans it, and joins its results to the earlier ones.
     fn read_cycle(&mut self, checker: &mut Checker, index: usize) {
         let name = &self.names[index];
-        let Some(mut single) = alone(self.value, index) else {
+        let Some(mut single) = single_cycle_job(self.value, index) else {
             let message = text!(
                 "cycles[{index}] must be an object, not {given}",
                 index,
@@ -95,14 +96,14 @@ impl Reading<'_> {
             let wear = wear::of_cycle(given, name, self.names.len() == 1);
             entries.push((TOLERANCES.to_owned(), wear));
         }
-        let earlier = Earlier {
+        let earlier = EarlierCycles {
             path: &self.path,
             relations: &self.relations,
             first: self.members.first().map(|planned| &planned.job),
             broken: !self.sound,
             all: OnceCell::new(),
         };
-        let wanted = follows::take(checker, &mut single, index, &earlier);
+        let wanted = dependencies::read_dependencies(checker, &mut single, index, &earlier);
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
         if index == 0 {
@@ -124,7 +125,13 @@ impl Reading<'_> {
             let reaches = (job.setup.plane.axes(), reaches(&job));
             let planned = self.plan(job, index);
             let settled = &mut self.settled;
-            let follows = follows::settle(settled, wanted, (index, &single), &planned, &self.path);
+            let follows = dependencies::resolve_dependencies(
+                settled,
+                wanted,
+                (index, &single),
+                &planned,
+                &self.path,
+            );
             let named = (name.clone(), title);
             self.path
                 .add_cycle(named, planned.path.clone(), follows, reaches);
@@ -134,14 +141,14 @@ impl Reading<'_> {
     }
 
     /// Plans a cycle. Native cycles write immediately after measuring, so only the last of them may write.
-    fn plan(&self, job: Job, index: usize) -> Planned {
+    fn plan(&self, job: Job, index: usize) -> PlannedJob {
         let writes = several(&job).is_some() && index + 1 == self.names.len();
         let work_offset = job.work_offset.filter(|_| writes);
-        Planned::of(Job { work_offset, ..job })
+        PlannedJob::of(Job { work_offset, ..job })
     }
 
     /// The joined set-up after reading all cycles.
-    fn finish(mut self, checker: &mut Checker) -> Option<Planned> {
+    fn finish(mut self, checker: &mut Checker) -> Option<PlannedJob> {
         self.merged.give(checker);
         check_sizes(checker, self.value, self.names);
         let clear = read_clear(checker, self.value);
@@ -171,11 +178,11 @@ impl Reading<'_> {
         let writes = whole.job.work_offset.is_some();
         let source = datum::read(checker, self.value, &whole, writes)?;
         whole.path.write_from(&source);
-        if !whole.job.post.rotates {
+        if !whole.job.post.offset_has_rotation {
             whole.path.formula.without_rotation();
         }
-        follows::run(&mut whole);
-        whole.run = run(&whole, On::Actual);
+        dependencies::run(&mut whole);
+        whole.run = run(&whole, PartState::Actual);
         if let Some(Ok(several)) = several {
             check_kept(checker, &whole.path, several)?;
         }
@@ -187,10 +194,10 @@ impl Reading<'_> {
 fn own_cycles(
     checker: &mut Checker,
     job: &Job,
-    members: Vec<Planned>,
+    members: Vec<PlannedJob>,
     (several, clear): (Result<CycleLinking, &'static str>, Option<f64>),
     names: &[String],
-) -> Option<Vec<Planned>> {
+) -> Option<Vec<PlannedJob>> {
     let several = match several {
         Ok(several) => several,
         Err(why) => {
@@ -203,7 +210,7 @@ fn own_cycles(
         }
     };
     let has_own_program =
-        |planned: &Planned| planned.path.calls.is_none() && planned.refused.is_empty();
+        |planned: &PlannedJob| planned.path.calls.is_none() && planned.native_rejections.is_empty();
     if let Some(i) = members.iter().position(has_own_program) {
         let message = text!(
             "{cycle}: this cycle has a program of its own: it cannot be one of several",
@@ -219,7 +226,7 @@ fn own_cycles(
     let highest = all.fold(f64::NEG_INFINITY, f64::max);
     let clear = clear.unwrap_or(highest);
     let high_enough = check_clear(checker, clear, highest);
-    let at = |planned: Planned| Planned::at(planned.job, Some(clear));
+    let at = |planned: PlannedJob| PlannedJob::at(planned.job, Some(clear));
     high_enough.then(|| members.into_iter().map(at).collect())
 }
 
@@ -383,7 +390,12 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 }
 
 /// Joins these cycles with link moves, without running them. `path` has their measurements.
-fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f64>) -> Planned {
+fn connect(
+    job: Job,
+    mut path: Path,
+    mut members: Vec<PlannedJob>,
+    clear: Option<f64>,
+) -> PlannedJob {
     let several = several(&job)
         .and_then(Result::ok)
         .filter(|_| members.iter().all(|planned| planned.path.calls.is_some()));
@@ -441,12 +453,12 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
         .flat_map(|planned| planned.surfaces.iter().copied())
         .collect();
     let dry = job.dry.map(|lift| path.dry(lift));
-    Planned {
+    PlannedJob {
         job,
         path,
         surfaces,
-        run: Run::default(),
-        refused: Vec::new(),
+        run: PartRun::default(),
+        native_rejections: Vec::new(),
         members,
         dry,
     }
@@ -454,35 +466,35 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
 
 /// Part on which a path is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum On {
+pub enum PartState {
     /// The nominal part.
     Nominal,
     /// The virtual part.
     Actual,
 }
 
-impl Planned {
+impl PlannedJob {
     /// Run of a set-up's cycle on a part.
-    fn run_on(&self, on: On) -> Run {
+    fn run_on(&self, on: PartState) -> PartRun {
         match on {
-            On::Nominal if !self.job.placement.nominal => {
+            PartState::Nominal if !self.job.placement.nominal => {
                 part::run(&self.path, &self.path.surfaces, &self.job.setup)
             }
-            On::Nominal | On::Actual => self.run.clone(),
+            PartState::Nominal | PartState::Actual => self.run.clone(),
         }
     }
 }
 
 /// Run of the whole path: each cycle separately, and every move against the studs and closed bodies of the other features.
-fn run(whole: &Planned, on: On) -> Run {
+fn run(whole: &PlannedJob, on: PartState) -> PartRun {
     let path = &whole.path;
-    let mut all = Run::default();
+    let mut all = PartRun::default();
     for (member, planned) in path.cycles.iter().zip(&whole.members) {
         let own = planned.run_on(on);
         all.triggers.extend(own.triggers);
         let (touch, surface) = (member.touches.start, member.surfaces.start);
-        all.strays.extend(
-            own.strays
+        all.wrong_walls.extend(
+            own.wrong_walls
                 .iter()
                 .map(|(k, other)| (k + touch, other + surface)),
         );
@@ -496,11 +508,11 @@ fn run(whole: &Planned, on: On) -> Run {
         (Some(own), Some(other)) => Some(if other.0 < own.0 { other } else { own }),
         (own, other) => own.or(other),
     };
-    all.halt = whole
+    all.stopped_before = whole
         .members
         .iter()
-        .find_map(|planned| planned.run.halt)
-        .filter(|_| on == On::Actual);
+        .find_map(|planned| planned.run.stopped_before)
+        .filter(|_| on == PartState::Actual);
     if let Some((index, _)) = all.collision {
         // Later moves are not run.
         for step in &path.moves[index..] {
@@ -513,18 +525,18 @@ fn run(whole: &Planned, on: On) -> Run {
 }
 
 /// First move that hits the feature of another cycle.
-fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
+fn crossing(whole: &PlannedJob, on: PartState) -> Option<(usize, Vec3)> {
     let radius = whole.job.setup.radius;
     match on {
-        On::Nominal => {
+        PartState::Nominal => {
             let standing = part::crossing(&whole.path, &whole.path.surfaces, radius);
             standing.or_else(|| part::through_contacts(&whole.path, radius))
         }
-        On::Actual => {
-            let shifted = follows::actual(whole);
+        PartState::Actual => {
+            let shifted = dependencies::actual(whole);
             let (path, halt) = (
                 shifted.as_ref().unwrap_or(&whole.path),
-                whole.members.iter().find_map(|own| own.run.halt),
+                whole.members.iter().find_map(|own| own.run.stopped_before),
             );
             // A cycle that the program does not reach cannot collide.
             let reached = |found: &(usize, Vec3)| {
@@ -536,8 +548,8 @@ fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
 }
 
 /// Checks of the whole set-up beside its cycles.
-pub fn check(whole: &Planned, checker: &mut Checker) {
-    let Planned {
+pub fn check(whole: &PlannedJob, checker: &mut Checker) {
+    let PlannedJob {
         job, path, members, ..
     } = whole;
     let (w, radius) = (path.frame.w, job.setup.radius);
@@ -552,7 +564,7 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
         .map(|step| step.to.dot(w));
     let clear = ways.fold(f64::NEG_INFINITY, f64::max);
     check_clear(checker, clear, least);
-    follows::check_ways(whole, checker);
+    dependencies::check_ways(whole, checker);
     if path.cycles.len() > 1
         && members.iter().any(|planned| planned.path.feeds.is_some())
         && job.form == crate::control::ProgramForm::Moves
@@ -579,7 +591,7 @@ fn check_clear(checker: &mut Checker, clear: f64, least: f64) -> bool {
 }
 
 /// Reports a feature whose height depends on a top side that is measured later.
-fn report_order(whole: &Planned, checker: &mut Checker) {
+fn report_order(whole: &PlannedJob, checker: &mut Checker) {
     let path = &whole.path;
     let w = path.frame.w;
     let top = path.cycles.iter().position(|member| {
@@ -603,10 +615,12 @@ fn report_order(whole: &Planned, checker: &mut Checker) {
 }
 
 /// Reports the first move that hits the feature of another cycle: an error on the nominal part, a warning on the virtual one.
-pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
-    let (on, found) = match crossing(whole, On::Nominal) {
-        None if !whole.job.placement.nominal => (On::Actual, crossing(whole, On::Actual)),
-        found => (On::Nominal, found),
+pub fn report_crossing(whole: &PlannedJob, checker: &mut Checker) {
+    let (on, found) = match crossing(whole, PartState::Nominal) {
+        None if !whole.job.placement.nominal => {
+            (PartState::Actual, crossing(whole, PartState::Actual))
+        }
+        found => (PartState::Nominal, found),
     };
     let Some((index, center)) = found else { return };
     let path = &whole.path;
@@ -630,22 +644,22 @@ pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
         )
     };
     match on {
-        On::Nominal => checker.error("collision", "cycles", message),
-        On::Actual => checker.warning("collision", "part", message),
+        PartState::Nominal => checker.error("collision", "cycles", message),
+        PartState::Actual => checker.warning("collision", "part", message),
     }
 }
 
 /// Findings of single cycles while they are merged for the set-up.
 #[derive(Debug)]
-pub struct Merged<'n> {
+pub struct MergedFindings<'n> {
     names: &'n [String],
     /// Each finding with the cycles that have it.
     found: Vec<(Finding, Vec<usize>)>,
 }
 
-impl<'n> Merged<'n> {
+impl<'n> MergedFindings<'n> {
     pub fn new(names: &'n [String]) -> Self {
-        Merged {
+        MergedFindings {
             names,
             found: Vec::new(),
         }
@@ -694,7 +708,7 @@ impl<'n> Merged<'n> {
 }
 
 /// A finding about the whole program, at its path in a job with several cycles.
-pub fn of_whole(finding: Finding) -> Finding {
+pub fn program_finding(finding: Finding) -> Finding {
     let path = match finding.path.as_str() {
         "control.workOffset" if finding.code == "rotation-unsupported" => {
             "datum.rotation".to_owned()
@@ -707,7 +721,7 @@ pub fn of_whole(finding: Finding) -> Finding {
 }
 
 /// Result rows of a cycle within the set-up. The set-up describes the write.
-pub fn rows_of(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
+pub fn cycle_rows(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
     rows.into_iter()
         .filter(|row| !row.code.starts_with("offset."))
         .map(move |row| ResultRow { cycle, ..row })

@@ -2,17 +2,17 @@
 
 use crate::form::Checker;
 use crate::job::Job;
-use crate::job::follows;
-use crate::job::planned::Planned;
+use crate::job::dependencies;
+use crate::job::planned::PlannedJob;
 use crate::job::stylus::purpose;
-use crate::part::{self, Above, DisplacedRun, Hit, Stock};
+use crate::part::{self, DisplacedRun, Hit, Stock, StylusPart};
 use crate::path::Path;
 use crate::text::text;
 
 /// Reports the first position where the ball or the stylus is in the stock and no feature is open: on the nominal part as an error, else on the displaced one
 /// as a warning.
-pub fn report(planned: &Planned, checker: &mut Checker) {
-    let Planned { job, path, .. } = planned;
+pub fn report(planned: &PlannedJob, checker: &mut Checker) {
+    let PlannedJob { job, path, .. } = planned;
     let Some(stock) = &job.stock else { return };
     if let Some(hit) = nominal_hit(job, path, stock) {
         return report_hit(path, hit, true, checker);
@@ -21,10 +21,14 @@ pub fn report(planned: &Planned, checker: &mut Checker) {
         return;
     }
     let run = &planned.run;
-    let shifted = follows::actual(planned);
-    let ran = run.ran.as_deref().or(shifted.as_ref()).unwrap_or(path);
+    let shifted = dependencies::actual(planned);
+    let ran = run
+        .shifted_path
+        .as_deref()
+        .or(shifted.as_ref())
+        .unwrap_or(path);
     let reached = run
-        .halt
+        .stopped_before
         .map_or(path.moves.len(), |(m, _)| path.cycles[m].moves.start);
     let displaced = DisplacedRun {
         rigid: &job.placement.rigid,
@@ -51,8 +55,8 @@ fn report_hit(path: &Path, hit: Hit, nominal: bool, checker: &mut Checker) {
     let step = &path.moves[hit.index];
     let what = match hit.part {
         None => text!("the ball"),
-        Some(Above::Shank) => text!("the shank"),
-        Some(Above::Body) => text!("the probe body"),
+        Some(StylusPart::Shank) => text!("the shank"),
+        Some(StylusPart::Body) => text!("the probe body"),
     };
     let message = text!(
         "Move {move} ({purpose}): {part} hits the stock with the ball centre at {place}. Inside the stock the ball must be in a hole, pocket, groove or inside corner of the job",

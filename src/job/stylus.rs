@@ -2,7 +2,7 @@
 
 use crate::form::Checker;
 use crate::job::Job;
-use crate::part::{self, Above, Run, Struck};
+use crate::part::{self, PartRun, StylusCollision, StylusPart};
 use crate::path::{MovePurpose, Path, Surface};
 use crate::text::{Text, text};
 
@@ -11,17 +11,17 @@ use crate::text::{Text, text};
 pub fn report_stylus(
     job: &Job,
     path: &Path,
-    nominal: &Run,
-    actual: Option<(&Path, &[Surface], &Run)>,
+    nominal: &PartRun,
+    actual: Option<(&Path, &[Surface], &PartRun)>,
     checker: &mut Checker,
 ) {
-    let struck = |path: &Path, surfaces: &[Surface], run: &Run| {
-        part::struck(path, surfaces, &job.shape, job.setup.radius, run)
+    let struck = |path: &Path, surfaces: &[Surface], run: &PartRun| {
+        part::stylus_collision(path, surfaces, &job.shape, job.setup.radius, run)
     };
     if let Some(struck) = struck(path, &path.surfaces, nominal) {
         let field = match struck.part {
-            Above::Shank => "stylus.shank",
-            Above::Body => "stylus.length",
+            StylusPart::Shank => "stylus.shank",
+            StylusPart::Body => "stylus.length",
         };
         return report_struck(job, path, &path.surfaces, struck, field, checker);
     }
@@ -38,7 +38,7 @@ fn report_struck(
     job: &Job,
     path: &Path,
     surfaces: &[Surface],
-    struck: Struck,
+    struck: StylusCollision,
     field: &str,
     checker: &mut Checker,
 ) {
@@ -46,7 +46,7 @@ fn report_struck(
     let [shank, length] =
         [job.shape.shank, job.shape.length].map(|x| checker.length(x.unwrap_or(0.0)));
     let (part, remedy) = match struck.part {
-        Above::Shank => (
+        StylusPart::Shank => (
             text!("the shank"),
             text!(
                 "it is thicker ({shank}) than the ball ({ball})",
@@ -54,7 +54,7 @@ fn report_struck(
                 checker.length(2.0 * job.setup.radius)
             ),
         ),
-        Above::Body => (
+        StylusPart::Body => (
             text!("the probe body"),
             text!(
                 "this stylus takes the ball centre {length} below the top side at most, and the path goes {depth} below it",

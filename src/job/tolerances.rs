@@ -4,7 +4,7 @@ use crate::control::ProgramForm;
 use crate::form::{Checker, Value, printable};
 use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
-use crate::job::planned::Planned;
+use crate::job::planned::PlannedJob;
 use crate::job::sections::TOLERANCES;
 use crate::job::wear;
 use crate::num::tidy;
@@ -27,7 +27,7 @@ struct Given<'v> {
 }
 
 /// Reads the tolerances of a planned job and adds each to its result. Reports all faults.
-pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
+pub fn read(checker: &mut Checker, value: &Value, planned: &mut PlannedJob) {
     let entries: &[(String, Value)] = match value.get(TOLERANCES) {
         None | Some(Value::Null) => &[],
         Some(Value::Map(entries)) => entries,
@@ -57,7 +57,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
 fn of_entries<'v>(
     checker: &mut Checker,
     entries: &'v [(String, Value)],
-    planned: &Planned,
+    planned: &PlannedJob,
 ) -> Vec<Given<'v>> {
     let formula = &planned.path.formula;
     let mut all: Vec<Given<'v>> = Vec::new();
@@ -100,9 +100,9 @@ fn twice(key: &str) -> Text {
 }
 
 /// Adds the sizes with a tolerance, each to the entry of its result if there is one.
-fn add_sizes(checker: &mut Checker, planned: &Planned, all: &mut Vec<Given<'_>>) {
+fn add_sizes(checker: &mut Checker, planned: &PlannedJob, all: &mut Vec<Given<'_>>) {
     let several = &planned.path.cycles;
-    let mut add = |cycle: &Planned, first: usize, place: &str| {
+    let mut add = |cycle: &PlannedJob, first: usize, place: &str| {
         for sized in &cycle.job.sized {
             let (code, path) = (sized.field.key, format!("{place}.{}", sized.field.key));
             let results = &cycle.path.formula.results;
@@ -170,7 +170,7 @@ fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
 }
 
 /// Adds a tolerance to a result of the joined path, and to that of its cycle.
-fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
+fn give(planned: &mut PlannedJob, index: usize, tolerance: Tolerance) {
     planned.path.formula.results[index].tolerance = Some(tolerance);
     for (member, own) in planned.path.cycles.iter_mut().zip(&mut planned.members) {
         if member.results.contains(&index) {
@@ -469,8 +469,8 @@ fn check_limit(
         });
     let Some(plausible) = plausible else { return };
     let [low, high] = tolerance.limits;
-    let least = plausible.wanted - plausible.limit - 1e-9;
-    let most = plausible.wanted + plausible.limit + 1e-9;
+    let least = plausible.expected - plausible.limit - 1e-9;
+    let most = plausible.expected + plausible.limit + 1e-9;
     if low < least || high > most {
         let limit = match def.role {
             Role::Size => "Size limit",

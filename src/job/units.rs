@@ -3,8 +3,8 @@
 use crate::cycle;
 use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
-use crate::job::cycles::{alone, is_set_up, name_of};
-use crate::job::follows;
+use crate::job::cycles::{is_set_up, name_of, single_cycle_job};
+use crate::job::dependencies;
 use crate::job::sections::{SECTIONS, TOLERANCES, Units};
 use crate::job::wear::WEAR;
 use crate::text::text;
@@ -152,7 +152,8 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
         0
     };
     for index in 0..count {
-        let single = alone(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
+        let single =
+            single_cycle_job(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
         let (Some(single), Some(Value::List(cycles))) = (single, converted.get_mut("cycles"))
         else {
             continue;
@@ -236,7 +237,7 @@ fn convert(value: &mut Value, to: Target) {
     match value {
         Value::Number(x) => *x = to.number(*x),
         Value::Text(text) => {
-            let followed = follows::convert(text, |x| to.number(x));
+            let followed = dependencies::convert(text, |x| to.number(x));
             if let Some(converted) =
                 followed.or_else(|| tolerance::convert(text, |x| to.printed(x)))
             {

@@ -9,7 +9,7 @@ use crate::text::{Text, text};
 
 /// Sources of uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scatter {
+pub struct UncertaintySources {
     /// Standard deviation of each touch along its probing direction, mm.
     pub repeatability: f64,
     /// Eccentricity of the ball from the spindle axis, mm: at an unknown angle, the same for all touches of a program. `None` is ignored.
@@ -17,7 +17,11 @@ pub struct Scatter {
 }
 
 /// Results for ball centres at these triggers.
-pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec<ResultRow> {
+pub fn evaluate(
+    path: &Path,
+    triggers: &[Option<Vec3>],
+    scatter: UncertaintySources,
+) -> Vec<ResultRow> {
     let samples = samples(path, triggers);
     let values = values(path, &samples);
     path.formula
@@ -82,7 +86,7 @@ fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
 pub fn stated(
     path: &Path,
     radius: f64,
-    scatter: Scatter,
+    scatter: UncertaintySources,
     values: &[Option<f64>],
 ) -> Vec<ResultRow> {
     let nominal: Vec<Option<Vec3>> = path
@@ -160,7 +164,7 @@ fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
 
 /// Adds the true values of the actual part to the rows. `actual` is the formula of the resized feature at its nominal position, so that its nominal values only
 /// have to be moved with the part.
-pub fn add_truth(
+pub fn add_true_values(
     rows: &mut [ResultRow],
     actual: &Formula,
     plane: Plane,

@@ -8,11 +8,13 @@ mod stock;
 mod stylus;
 
 pub use contact::Obstacles;
-pub use evaluate::{Scatter, add_truth, datum, evaluate, numbers, stated, write_offset};
+pub use evaluate::{
+    UncertaintySources, add_true_values, datum, evaluate, numbers, stated, write_offset,
+};
 pub use inertia::Machine;
-pub use measured::{Expected, Stand, check as check_measured, read as read_measured};
+pub use measured::{EndState, MeasurementContext, check as check_measured, read as read_measured};
 pub use stock::{DisplacedRun, Hit, Opening, Sides, Stock, hit, openings};
-pub use stylus::{Above, Shape, Struck, struck};
+pub use stylus::{StylusCollision, StylusPart, StylusShape, stylus_collision};
 
 use crate::geom::{Rigid, Vec3};
 use crate::path::{
@@ -37,23 +39,23 @@ pub struct PartPlacement {
 
 /// Result of running a path on the actual part.
 #[derive(Clone, Debug, Default)]
-pub struct Run {
+pub struct PartRun {
     /// Ball centre at the trigger of each touch; `None` without a contact within the search.
     pub triggers: Vec<Option<Vec3>>,
     /// Touches that contact another surface first, with its index.
-    pub strays: Vec<(usize, usize)>,
+    pub wrong_walls: Vec<(usize, usize)>,
     /// Touches that contact an edge, a corner or a rim: their trigger says little about their wall.
     pub edges: Vec<usize>,
     /// First move with an unexpected contact: index, and ball centre at the contact. The machine stops there, or breaks; later moves are not run.
     pub collision: Option<(usize, Vec3)>,
     /// Cycle before which the program stops because a result exceeds its limit: indices of the cycle and of the result. Later cycles are not reached.
-    pub halt: Option<(usize, usize)>,
+    pub stopped_before: Option<(usize, usize)>,
     /// The path as it ran, if results of earlier cycles shift it.
-    pub ran: Option<Box<Path>>,
+    pub shifted_path: Option<Box<Path>>,
 }
 
 /// Surfaces of the actual part: `surfaces` of the resized feature at their displaced positions.
-pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
+pub fn displace_surfaces(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
     surfaces
         .iter()
         .map(|surface| match surface {
@@ -74,7 +76,12 @@ pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
 
 /// The positioning move that passes closest to the part, and its distance, mm; `None` if no move comes `within` that distance. The path must run clear of the
 /// part.
-pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Option<(usize, f64)> {
+pub fn closest_pass(
+    path: &Path,
+    surfaces: &[Surface],
+    radius: f64,
+    within: f64,
+) -> Option<(usize, f64)> {
     let obstacles = Obstacles::of(surfaces, path.frame.w);
     let nearer_than = |gap: f64| {
         let mut at = path.start;
@@ -238,7 +245,7 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
 
 /// Runs the whole path on the actual surfaces. A touch starts at the current position and moves along the inverted target vector until it contacts a surface,
 /// or until it is `search` past its nominal contact. The retract starts at the trigger.
-pub fn run(path: &Path, surfaces: &[Surface], setup: &ProbeSettings) -> Run {
+pub fn run(path: &Path, surfaces: &[Surface], setup: &ProbeSettings) -> PartRun {
     let up = path.frame.w;
     let obstacles = Obstacles::of(surfaces, up);
     let mut triggers = vec![None; path.touches.len()];
@@ -266,12 +273,12 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &ProbeSettings) -> Run {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
                     if let Some(contact) = obstacles.first_contact(setup.radius, stand, way_point) {
-                        return Run {
+                        return PartRun {
                             triggers,
-                            strays,
+                            wrong_walls: strays,
                             edges,
                             collision: Some((index, contact.center)),
-                            ..Run::default()
+                            ..PartRun::default()
                         };
                     }
                     stand = way_point;
@@ -280,10 +287,10 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &ProbeSettings) -> Run {
             }
         }
     }
-    Run {
+    PartRun {
         triggers,
-        strays,
+        wrong_walls: strays,
         edges,
-        ..Run::default()
+        ..PartRun::default()
     }
 }

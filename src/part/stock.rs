@@ -2,7 +2,7 @@
 
 use crate::geom::{Rigid, Vec3};
 use crate::part::contact::Body;
-use crate::part::stylus::{Above, Shape, meet_flat};
+use crate::part::stylus::{StylusPart, StylusShape, meet_flat};
 use crate::path::{Feature, MovePurpose, Path, Surface};
 
 /// Depth by which the ball may be in the stock, mm: positions in inch have steps of 0.0001 in.
@@ -57,7 +57,7 @@ pub struct Hit {
     /// Ball centre at the hit.
     pub center: Vec3,
     /// `None` is the ball.
-    pub part: Option<Above>,
+    pub part: Option<StylusPart>,
 }
 
 impl Opening {
@@ -156,7 +156,7 @@ pub fn hit(
     displaced: Option<DisplacedRun<'_>>,
     mut openings: Vec<Opening>,
     stock: &Stock,
-    shape: &Shape,
+    shape: &StylusShape,
     radius: f64,
 ) -> Option<Hit> {
     let up = path.frame.w;

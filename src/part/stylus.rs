@@ -5,13 +5,13 @@
 //! ball there and has no further contacts.
 
 use crate::geom::Vec3;
-use crate::part::Run;
+use crate::part::PartRun;
 use crate::part::contact::{Body, SKIN};
 use crate::path::{MovePurpose, Path, Round, Surface};
 
 /// Stylus above its ball: diameters and length in mm, `None` if unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct StylusShape {
     /// From the ball centre up to the probe body.
     pub length: Option<f64>,
     /// Diameter of the stylus above the ball.
@@ -22,7 +22,7 @@ pub struct Shape {
 
 /// Part above the ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Above {
+pub enum StylusPart {
     /// The stylus itself, from the ball centre up.
     Shank,
     /// The probe body, from the end of the stylus up.
@@ -31,34 +31,34 @@ pub enum Above {
 
 /// Contact of the stylus above its ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Struck {
+pub struct StylusCollision {
     /// Index of the move in the path.
     pub index: usize,
     /// Ball centre at the contact.
     pub center: Vec3,
-    pub part: Above,
+    pub part: StylusPart,
 }
 
 /// The lower end of a cylinder.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Disc {
-    pub(super) part: Above,
+    pub(super) part: StylusPart,
     pub(super) radius: f64,
     /// Height above the ball centre.
     pub(super) rise: f64,
 }
 
-impl Shape {
+impl StylusShape {
     /// Parts that can contact a part that a ball of this radius does not, as far as they are known. The body is checked only against a known top side: a wall
     /// with an unknown end would always be in its way.
     pub(super) fn discs(&self, ball: f64, topped: bool) -> Vec<Disc> {
         let shank = self.shank.map(|shank| Disc {
-            part: Above::Shank,
+            part: StylusPart::Shank,
             radius: shank / 2.0,
             rise: 0.0,
         });
         let body = self.body.zip(self.length).map(|(body, length)| Disc {
-            part: Above::Body,
+            part: StylusPart::Body,
             radius: body / 2.0,
             rise: length,
         });
@@ -71,13 +71,13 @@ impl Shape {
 }
 
 /// First position where the stylus above the ball contacts the part, on the path that the ball (radius in mm) has run.
-pub fn struck(
+pub fn stylus_collision(
     path: &Path,
     surfaces: &[Surface],
-    shape: &Shape,
+    shape: &StylusShape,
     ball: f64,
-    run: &Run,
-) -> Option<Struck> {
+    run: &PartRun,
+) -> Option<StylusCollision> {
     let discs = shape.discs(ball, path.top.is_some());
     if discs.is_empty() {
         return None;
@@ -126,7 +126,7 @@ pub fn struck(
                 .iter()
                 .filter_map(|disc| Some((first(disc, from, to)?, disc.part)));
             if let Some((fraction, part)) = met.min_by(|a, b| a.0.total_cmp(&b.0)) {
-                return Some(Struck {
+                return Some(StylusCollision {
                     index,
                     center: from + (to - from) * fraction,
                     part,

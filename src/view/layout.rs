@@ -5,9 +5,9 @@ use crate::view::camera::{
     AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, CUBE_CORNER, Camera, DIMENSION_MARGIN,
     DOWNWARDS, MARGIN, SMALL_MARGIN,
 };
+use crate::view::label_box::{CUT_OFF, LabelBox, OccupiedSpace};
 use crate::view::numbers::Number;
-use crate::view::plate::{CUT_OFF, Crowd, Plate};
-use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
+use crate::view::scene::{DrawnAngle, DrawnDimension, Line, Scene, Stroke};
 
 /// Distance of a dimension line that comes with the focus from the part, pixels.
 const ON_DEMAND: f64 = 16.0;
@@ -27,8 +27,8 @@ const ROOM_FOR_NAME: f64 = 90.0;
 
 /// A laid-out dimension, pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed<'a> {
-    pub drawn: &'a Drawn,
+pub struct PlacedDimension<'a> {
+    pub drawn: &'a DrawnDimension,
     /// Start of its extension lines.
     pub ends: [Vec2; 2],
     /// Ends of its line.
@@ -38,12 +38,12 @@ pub struct Placed<'a> {
     /// Whether its arrow heads are between its ends.
     pub within: bool,
     /// Position of its name.
-    pub name: Plate,
+    pub name: LabelBox,
 }
 
 /// A laid-out angle, pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Arc<'a> {
+pub struct AngleArc<'a> {
     pub angle: &'a DrawnAngle,
     /// Its vertex.
     pub at: Vec2,
@@ -54,7 +54,7 @@ pub struct Arc<'a> {
     pub heads: Option<[(Vec2, Vec2); 2]>,
     pub ends: [Vec2; 2],
     /// Its name; `None` if it would cover touches.
-    pub name: Option<Plate>,
+    pub name: Option<LabelBox>,
 }
 
 /// Contents of a picture beside the part and its path.
@@ -62,13 +62,13 @@ pub struct Arc<'a> {
 pub struct Layout<'a> {
     pub numbers: Vec<Number>,
     /// The angles.
-    pub arcs: Vec<Arc<'a>>,
-    pub dimensions: Vec<Placed<'a>>,
+    pub arcs: Vec<AngleArc<'a>>,
+    pub dimensions: Vec<PlacedDimension<'a>>,
     /// Everything in the picture.
-    pub crowd: Crowd,
+    pub crowd: OccupiedSpace,
 }
 
-impl Placed<'_> {
+impl PlacedDimension<'_> {
     /// Tips of its arrow heads, and their directions.
     pub fn heads(&self) -> [(Vec2, Vec2); 2] {
         let [start, end] = self.line;
@@ -92,9 +92,9 @@ impl Layout<'_> {
     pub fn names<'n>(
         &self,
         names: &'n [(&'static str, String)],
-    ) -> Vec<(&'static str, &'n str, Plate)> {
+    ) -> Vec<(&'static str, &'n str, LabelBox)> {
         let mut said = Vec::new();
-        let mut say = |own: &'static str, plate: Plate| {
+        let mut say = |own: &'static str, plate: LabelBox| {
             let name = names
                 .iter()
                 .find(|(field, _)| *field == own)
@@ -121,7 +121,7 @@ impl Layout<'_> {
         let lines: Vec<[Vec2; 2]> = self.dimensions.iter().map(|placed| placed.reach).collect();
         let places = [far, Vec2::new(past, far.y), near];
         places.into_iter().find(|middle| {
-            let plate = Plate {
+            let plate = LabelBox {
                 middle: *middle,
                 along: Vec2::X,
                 half,
@@ -138,7 +138,7 @@ impl Layout<'_> {
             .into_iter()
             .flat_map(|along| [off, -off].map(|off| from.lerp(to, along) + off))
             .find(|middle| {
-                self.crowd.leaves(&Plate {
+                self.crowd.leaves(&LabelBox {
                     middle: *middle,
                     along: Vec2::X,
                     half,
@@ -147,8 +147,8 @@ impl Layout<'_> {
     }
 
     /// Position for the name of the work origin: in the freest of the four corners about it. `half`: half its size.
-    pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
-        let plate = |x: f64, y: f64| Plate {
+    pub fn origin(&self, at: Vec2, half: Vec2) -> LabelBox {
+        let plate = |x: f64, y: f64| LabelBox {
             middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0),
             along: Vec2::X,
             half,
@@ -248,7 +248,7 @@ impl Camera {
 
     /// Lays out the picture with an optional focused field. A dimension that appears with the focus moves nothing else.
     pub fn layout<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Layout<'a> {
-        let (crowd, numbers) = (Crowd::of(scene, self), self.numbers(scene));
+        let (crowd, numbers) = (OccupiedSpace::of(scene, self), self.numbers(scene));
         let mut layout = Layout {
             numbers,
             arcs: Vec::new(),
@@ -270,8 +270,9 @@ impl Camera {
                 .iter()
                 .filter(move |d| d.on_demand == on_demand)
         };
-        let upright = |d: &Drawn| (d.ends[1].y - d.ends[0].y).abs() > 0.999 * d.length;
-        let asked = |d: &Drawn| focus == Some(d.field) || (focus == Some(EVERY) && upright(d));
+        let upright = |d: &DrawnDimension| (d.ends[1].y - d.ends[0].y).abs() > 0.999 * d.length;
+        let asked =
+            |d: &DrawnDimension| focus == Some(d.field) || (focus == Some(EVERY) && upright(d));
         for drawn in all(false).chain(all(true).filter(|d| asked(d))) {
             let placed = self.dimension(drawn, crowd);
             crowd.plates.push(placed.name);
@@ -282,7 +283,11 @@ impl Camera {
 
     /// Position of a dimension and its name: the first one that covers nothing, else the one that covers least. The name is on the line if there is room
     /// between the arrow heads; else beyond one of the ends, or beside the line.
-    fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
+    fn dimension<'a>(
+        &self,
+        drawn: &'a DrawnDimension,
+        crowd: &OccupiedSpace,
+    ) -> PlacedDimension<'a> {
         let ends = drawn.ends.map(|spot| self.pixel(spot));
         let long = ends[0].distance(ends[1]).max(1e-9);
         let way = (ends[1] - ends[0]) / long;
@@ -329,7 +334,7 @@ impl Camera {
         let placed = |side: Vec2, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
             let line = ends.map(|end| end + side * far);
             let middle = line[0] + way * (long / 2.0 + over) + way.perp() * across;
-            Placed {
+            PlacedDimension {
                 drawn,
                 ends: ends.map(|end| end + side * begin),
                 line,
@@ -338,14 +343,14 @@ impl Camera {
                     line[1] + way * f64::max(tail, past),
                 ],
                 within,
-                name: Plate {
+                name: LabelBox {
                     middle,
                     along,
                     half,
                 },
             }
         };
-        let own = drawn.aside * DOWNWARDS;
+        let own = drawn.line_side * DOWNWARDS;
         let stands_off = self.stands_off();
         let clear = CLEAR * self.dimension_margin() / DIMENSION_MARGIN;
         let first = places[0].0;
@@ -413,7 +418,12 @@ impl Camera {
     }
 
     /// An angle; the focused field always has its name.
-    fn arc<'a>(&self, angle: &'a DrawnAngle, focus: Option<&str>, crowd: &Crowd) -> Arc<'a> {
+    fn arc<'a>(
+        &self,
+        angle: &'a DrawnAngle,
+        focus: Option<&str>,
+        crowd: &OccupiedSpace,
+    ) -> AngleArc<'a> {
         let at = self.pixel(angle.at);
         let room = angle.room * self.scale;
         let radius = ANGLE_RADIUS.min(room * 0.6);
@@ -425,7 +435,7 @@ impl Camera {
         let head = |end: usize, sense: f64| (ends[end], way(sides[end]).perp() * -sense);
         let named = room > ROOM_FOR_NAME || focus == Some(angle.field);
         // Beyond the arc, as close as possible with the least covered.
-        let plate = |far: f64| Plate {
+        let plate = |far: f64| LabelBox {
             middle: at + way(first + turn / 2.0) * far,
             along: Vec2::X,
             half: Vec2::new(angle.wide / 2.0, HIGH),
@@ -441,7 +451,7 @@ impl Camera {
                 best
             }
         });
-        Arc {
+        AngleArc {
             angle,
             at,
             radius,

@@ -3,11 +3,11 @@
 pub mod camera;
 pub mod dimension;
 pub mod display;
+pub mod label_box;
 pub mod layout;
 pub mod lengths;
 pub mod material;
 pub mod numbers;
-pub mod plate;
 pub mod scene;
 pub mod style;
 mod svg;

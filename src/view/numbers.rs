@@ -3,7 +3,7 @@
 use crate::geom::Vec2;
 use crate::num::within;
 use crate::view::camera::{Camera, DOWNWARDS};
-use crate::view::plate::Plate;
+use crate::view::label_box::LabelBox;
 use crate::view::scene::Scene;
 
 /// Radius of a number's disc, pixels: in a large picture, and in a small one where larger discs would hide the feature.
@@ -19,13 +19,13 @@ pub struct Number {
     /// Indices of the touches.
     pub touches: Vec<usize>,
     /// Its text: `3`, `3·4`, or `3…9` for more than four; at the first touch of a cycle in a set-up `BORE 1`.
-    pub said: String,
+    pub label: String,
     /// The contact; for a touch behind the part the ball.
     pub contact: Vec2,
     /// Its disc, which is elongated for a longer text.
-    pub plate: Plate,
+    pub plate: LabelBox,
     /// Whether it is far enough from the contact to need a leader line.
-    pub led: bool,
+    pub has_leader: bool,
 }
 
 /// Numbers of touches at one position that are listed one by one.
@@ -56,13 +56,13 @@ impl Camera {
                 own.touches.push(k);
                 let number = touch.number.to_string();
                 if own.touches.len() > MOST_SAID {
-                    own.said = format!("{}…{number}", scene.touches[own.touches[0]].number);
+                    own.label = format!("{}…{number}", scene.touches[own.touches[0]].number);
                 } else {
-                    own.said.push('·');
-                    own.said.push_str(&number);
+                    own.label.push('·');
+                    own.label.push_str(&number);
                 }
             } else {
-                let plate = Plate {
+                let plate = LabelBox {
                     middle: contact,
                     along: Vec2::X,
                     half: Vec2::ZERO,
@@ -73,10 +73,10 @@ impl Camera {
                 };
                 numbers.push(Number {
                     touches: vec![k],
-                    said,
+                    label: said,
                     contact,
                     plate,
-                    led: false,
+                    has_leader: false,
                 });
             }
         }
@@ -103,8 +103,8 @@ impl Camera {
                 None => (-inward, OFF),
             };
             // About half as wide as its text; a dot has two bytes and is half as wide as a digit; letters are wider.
-            let letters = number.said.bytes().filter(u8::is_ascii_alphabetic).count();
-            let wide = 2.8 * number.said.len() as f64 + 2.2 * letters as f64 + 4.6;
+            let letters = number.label.bytes().filter(u8::is_ascii_alphabetic).count();
+            let wide = 2.8 * number.label.len() as f64 + 2.2 * letters as f64 + 4.6;
             let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
             let mut least = f64::INFINITY;
             // Around the contact, then farther out.
@@ -116,7 +116,7 @@ impl Camera {
                 let far = radius + off + ring * (2.0 * radius + 2.0);
                 let middle = number.contact
                     + Vec2::from_angle(angle).rotate(way) * Vec2::new(far + half.x - radius, far);
-                let plate = Plate {
+                let plate = LabelBox {
                     middle,
                     along: Vec2::X,
                     half,
@@ -136,7 +136,7 @@ impl Camera {
                     10.0 * met as f64 + 3.0 * hidden as f64 + 5.0 * f64::from(outside) + 0.1 * ring;
                 if cost < least {
                     least = cost;
-                    (number.plate, number.led) = (plate, ring > 0.0);
+                    (number.plate, number.has_leader) = (plate, ring > 0.0);
                 }
             }
         }

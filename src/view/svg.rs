@@ -6,10 +6,10 @@ use crate::geom::Vec2;
 use crate::num::decimal;
 use crate::view::camera::{Camera, DIMENSION_MARGIN};
 use crate::view::display::{Item, Walls};
-use crate::view::layout::{Arc, Layout, Placed};
+use crate::view::label_box::LabelBox;
+use crate::view::layout::{AngleArc, Layout, PlacedDimension};
 use crate::view::material;
 use crate::view::numbers::Number;
-use crate::view::plate::Plate;
 use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, TouchShape};
 use crate::view::style::{self, CENTRE_LINES, Colour, EDGES, Pen};
@@ -141,7 +141,7 @@ impl Drawing {
         let angles = layout.arcs.iter().flat_map(|arc| {
             arc.sides
                 .into_iter()
-                .chain(arc.name.iter().flat_map(Plate::bounds))
+                .chain(arc.name.iter().flat_map(LabelBox::bounds))
         });
         let (mut low, mut high) = (Vec2::ZERO, self.camera.size);
         for at in lines.chain(dimensions).chain(angles) {
@@ -220,7 +220,7 @@ impl Drawing {
         scene
             .lines
             .iter()
-            .filter(|line| line.behind == behind)
+            .filter(|line| line.occluder == behind)
             .for_each(|line| self.line(line));
         for touch in &scene.touches {
             // Hidden parts are faintly visible.
@@ -336,7 +336,7 @@ impl Drawing {
     /// The number of a touch, or of several.
     fn number(&mut self, number: &Number) {
         let middle = number.plate.middle;
-        if number.led {
+        if number.has_leader {
             // Up to the text.
             let end = number.contact.lerp_monotonic(
                 middle,
@@ -351,7 +351,7 @@ impl Drawing {
         let _ = writeln!(
             self.text,
             "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>",
-            number.said
+            number.label
         );
     }
 
@@ -369,7 +369,7 @@ impl Drawing {
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
-    fn dimension(&mut self, placed: &Placed<'_>) {
+    fn dimension(&mut self, placed: &PlacedDimension<'_>) {
         let ([from, to], [start, end]) = (placed.ends, placed.line);
         self.measure(
             &path(&[[from, start], [to, end], placed.reach], ""),
@@ -378,7 +378,7 @@ impl Drawing {
     }
 
     /// An angle: its sides, and its arc with arrow heads.
-    fn angle(&mut self, arc: &Arc<'_>) {
+    fn angle(&mut self, arc: &AngleArc<'_>) {
         let [from, to] = arc.ends.map(pair);
         let (radius, sweep) = (decimal(arc.radius, 1), u8::from(arc.angle.turns[1] <= 0.0));
         let sides = path(&arc.sides.map(|side| [arc.at, side]), "");
@@ -389,7 +389,7 @@ impl Drawing {
     }
 
     /// Text of a dimension or an angle.
-    fn said(&mut self, plate: &Plate, name: &str) {
+    fn said(&mut self, plate: &LabelBox, name: &str) {
         let [x, y] = numbers(plate.middle);
         let [label, value] = <[&str; 2]>::from(super::halves(name)).map(escaped);
         let turn = decimal(plate.along.to_angle().to_degrees(), 2);

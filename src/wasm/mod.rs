@@ -24,7 +24,7 @@ use crate::border::packed;
 use crate::config::Config;
 use crate::describe;
 use crate::form::{Finding, Level, Value};
-use crate::job::{self, JobError, Planned};
+use crate::job::{self, JobError, PlannedJob};
 use crate::text::text;
 use crate::view::scene::Projection;
 use crate::wasm::sink::text_of;
@@ -80,7 +80,7 @@ pub fn proposed_stock(codes: &[f64], text: &str) -> JsValue {
 /// Reason why the form cannot show a job; null if it can.
 #[wasm_bindgen]
 pub fn misfit(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
-    to_js(&job::misfit(&decoded(codes, text)))
+    to_js(&job::form_problem(&decoded(codes, text)))
 }
 
 /// All findings: errors, warnings and notes.
@@ -184,7 +184,7 @@ struct Coded {
 #[derive(Debug)]
 struct Last {
     job: Coded,
-    planned: Planned,
+    planned: PlannedJob,
 }
 
 impl Coded {
@@ -199,7 +199,7 @@ impl Coded {
 
 impl Last {
     /// A path that is not kept: it belongs to no job.
-    fn of_none(planned: Planned) -> Rc<Last> {
+    fn of_none(planned: PlannedJob) -> Rc<Last> {
         Rc::new(Last {
             job: Coded {
                 codes: Vec::new(),
@@ -215,7 +215,7 @@ thread_local! {
     static LAST: RefCell<Option<Rc<Last>>> = const { RefCell::new(None) };
 }
 
-fn keep(codes: &[f64], text: &str, planned: Planned) {
+fn keep(codes: &[f64], text: &str, planned: PlannedJob) {
     let last = Last {
         job: Coded {
             codes: codes.to_vec(),

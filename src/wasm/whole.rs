@@ -9,7 +9,7 @@ use super::{refused, set, thrown, to_js, value_to_js};
 use crate::border::coded::decoded;
 use crate::describe;
 use crate::form::{Finding, Level};
-use crate::import::toolpath::Known;
+use crate::import::toolpath::RunInputs;
 use crate::import::{self, Imported, Toolpath, toolpath};
 use crate::job;
 use crate::text::text;
@@ -94,7 +94,7 @@ pub fn run_program(
     }
     let value = decoded(codes, known);
     let text = utf8(text);
-    let run = toolpath::run_program(&text, &Known::of(&value).map_err(refused)?);
+    let run = toolpath::run_program(&text, &RunInputs::of(&value).map_err(refused)?);
     let result = columns(&run)?;
     set(&result, "file", &Uint32Array::from(run.file.as_slice()));
     set(

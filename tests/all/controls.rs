@@ -28,7 +28,7 @@ fn which(can: impl Fn(&PostDef) -> bool) -> Keys {
 fn takes_moves(post: &PostDef) -> bool {
     CYCLES
         .iter()
-        .any(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
+        .any(|def| (post.supports)(def.probes, ProgramForm::Moves).is_ok())
 }
 
 /// How a control of cycles of its own names this word of a call; empty where it has none.
@@ -126,7 +126,7 @@ fn every_control_states_what_is_its_own() {
         );
         let served = CYCLES
             .iter()
-            .flat_map(|def| ProgramForm::ALL.map(|form| (post.serves)(def.probes, form)));
+            .flat_map(|def| ProgramForm::ALL.map(|form| (post.supports)(def.probes, form)));
         assert!(
             served.clone().any(|answer| answer.is_ok()),
             "{} takes no cycle",
@@ -399,7 +399,7 @@ fn no_field_is_ignored_without_a_word() {
         for form in ProgramForm::ALL {
             let cycles = CYCLES
                 .iter()
-                .filter(|def| (post.serves)(def.probes, form).is_ok());
+                .filter(|def| (post.supports)(def.probes, form).is_ok());
             let jobs: Vec<Value> = cycles
                 .map(|def| {
                     let job = with(

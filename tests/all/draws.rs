@@ -3,7 +3,7 @@
 use crate::common::planned;
 use touchpath::form::Value;
 use touchpath::geom::Vec3;
-use touchpath::part::{Scatter, evaluate};
+use touchpath::part::{UncertaintySources, evaluate};
 
 /// How far each result of a job spreads where its touches scatter along their directions by 1 µm, so many times; the same in every run.
 pub fn drawn_spreads(job: &Value, count: u32) -> Vec<Option<f64>> {
@@ -19,7 +19,7 @@ pub fn drawn_spreads(job: &Value, count: u32) -> Vec<Option<f64>> {
                 Some(Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal()))
             })
             .collect();
-        let scatter = Scatter {
+        let scatter = UncertaintySources {
             repeatability: 0.001,
             runout: None,
         };

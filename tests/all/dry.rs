@@ -233,7 +233,7 @@ fn a_set_up_runs_dry_at_its_nominal_places() {
 fn a_cycle_of_the_controls_own_has_no_dry_run() {
     for post in POSTS
         .iter()
-        .filter(|post| (post.serves)(hole().probes, ProgramForm::Cycle).is_ok())
+        .filter(|post| (post.supports)(hole().probes, ProgramForm::Cycle).is_ok())
     {
         let given = with(
             &with(

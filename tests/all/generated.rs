@@ -57,7 +57,7 @@ fn codes_of_the_command() -> String {
             text,
             "  {}: [{}, {}],",
             key(rule.name),
-            quoted(rule.says),
+            quoted(rule.requirement),
             quoted(rule.why)
         )
         .unwrap();

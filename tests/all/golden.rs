@@ -125,7 +125,7 @@ fn served(job: &Value, post: &PostDef) -> ProgramForm {
         .unwrap();
     ProgramForm::ALL
         .into_iter()
-        .find(|form| (post.serves)(def.probes, *form).is_ok())
+        .find(|form| (post.supports)(def.probes, *form).is_ok())
         .unwrap_or(ProgramForm::Moves)
 }
 

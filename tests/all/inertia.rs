@@ -38,7 +38,7 @@ fn the_defaults_stop_in_time() {
     for def in CYCLES {
         for post in POSTS {
             for form in [ProgramForm::Moves, ProgramForm::Cycle] {
-                if (post.serves)(def.probes, form).is_err() {
+                if (post.supports)(def.probes, form).is_err() {
                     continue;
                 }
                 let mut own = default_job(def.key).unwrap();

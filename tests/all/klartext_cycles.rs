@@ -782,13 +782,13 @@ fn a_missing_limit_asks_nothing() {
 /// A call of someone else's program as a job: only what a job would write the same way.
 #[test]
 fn a_call_becomes_no_other_write() {
-    use touchpath::import::toolpath::{Known, run_program};
+    use touchpath::import::toolpath::{RunInputs, run_program};
     let made = |call: &str, start: [f64; 3]| -> Value {
         let run = run_program(
             call,
-            &Known {
+            &RunInputs {
                 start: Some(start),
-                ..Known::default()
+                ..RunInputs::default()
             },
         );
         run.calls
@@ -897,7 +897,7 @@ fn results_have_the_controls_own_names() {
 /// Every program comes back as its job; without its header its blocks do, as far as they say it, and a run makes the plan's contacts.
 #[test]
 fn a_program_comes_back_as_its_job() {
-    use touchpath::import::toolpath::{Feature, Known, run_program};
+    use touchpath::import::toolpath::{Feature, RunInputs, run_program};
     for (cycle, changes, _, _) in cases() {
         for row in [Value::Null, number(3.0)] {
             let changes = [
@@ -932,10 +932,10 @@ fn a_program_comes_back_as_its_job() {
                 .map(|line| format!("{line}\n"))
                 .collect();
             let start = planned.moves[0].to;
-            let known = Known {
+            let known = RunInputs {
                 feature: Feature::of(&job),
                 start: Some([start[0], start[1], start[2] + 20.0]),
-                ..Known::default()
+                ..RunInputs::default()
             };
             let run = run_program(&bare, &known);
             let contacts: Vec<[f64; 3]> = run.contacts.iter().map(|c| [c[1], c[2], c[3]]).collect();
@@ -1003,13 +1003,13 @@ fn the_log_of_a_measuring_cycle_is_the_one_that_was_chosen() {
 /// 10 mm = 0.393701 inch deep below the ball's centre.
 #[test]
 fn a_call_in_inch_becomes_a_job_in_inch() {
-    use touchpath::import::toolpath::{Known, run_program};
+    use touchpath::import::toolpath::{RunInputs, run_program};
     let text = "O1\nG20 G17 G90\nG0 X0 Y0 Z-.2\nG65 P9814 D1. Q.2\nM30\n";
     let run = run_program(
         text,
-        &Known {
+        &RunInputs {
             start: Some([0.0, 0.0, 2.0]),
-            ..Known::default()
+            ..RunInputs::default()
         },
     );
     let job = run

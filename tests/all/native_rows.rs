@@ -86,7 +86,7 @@ fn macro_calls(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
 /// no feature's.
 #[test]
 fn the_words_of_random_calls_are_read_as_they_were_written() {
-    use touchpath::import::toolpath::{Known, run_program};
+    use touchpath::import::toolpath::{RunInputs, run_program};
     let kinds = [
         "hole",
         "hole-protected",
@@ -130,9 +130,9 @@ fn the_words_of_random_calls_are_read_as_they_were_written() {
             let start = first.moves[0].to;
             let run = run_program(
                 &bare,
-                &Known {
+                &RunInputs {
                     start: Some([start[0], start[1], start[2]]),
-                    ..Known::default()
+                    ..RunInputs::default()
                 },
             );
             let again = run.calls.iter().find_map(|call| call.job.clone());
@@ -189,14 +189,14 @@ fn the_words_of_random_calls_are_read_as_they_were_written() {
 /// Words that our programs never give a call, in someone else's: a job that does not do what they say is none.
 #[test]
 fn a_foreign_call_is_read_with_the_words_that_it_has() {
-    use touchpath::import::toolpath::{Known, run_program};
+    use touchpath::import::toolpath::{RunInputs, run_program};
     let run = |text: &str| {
         let start = Some([40.0, 3.0, 200.0]);
         run_program(
             text,
-            &Known {
+            &RunInputs {
                 start,
-                ..Known::default()
+                ..RunInputs::default()
             },
         )
     };

@@ -836,7 +836,7 @@ fn results_have_the_controls_own_names() {
 /// Run as text that someone else wrote, the program makes the plan's moves on the plan's part.
 #[test]
 fn the_program_runs_as_its_plan() {
-    use touchpath::import::toolpath::{Feature, Known, run_program};
+    use touchpath::import::toolpath::{Feature, RunInputs, run_program};
     let mut seen = 0;
     let two = "probing-two-circles";
     for cycle in [
@@ -860,10 +860,10 @@ fn the_program_runs_as_its_plan() {
             false => with(&job, "cycle.origin", list([0.0, 0.0, -BALL])),
         };
         let start = plan.moves[0].to;
-        let known = Known {
+        let known = RunInputs {
             feature: Feature::of(&lower),
             start: Some([start[0], start[1], start[2] + 20.0]),
-            ..Known::default()
+            ..RunInputs::default()
         };
         let run = run_program(&plan.program.text, &known);
         let contacts: Vec<[f64; 3]> = run
@@ -947,7 +947,7 @@ fn a_program_of_calls_comes_back_as_its_job() {
     for cycle in touchpath::cycle::CYCLES {
         for post in calling_macros() {
             // All but the NC action and the angle of a wall, and a Hurco's switch.
-            if (find(post).unwrap().serves)(cycle.probes, ProgramForm::Cycle).is_err() {
+            if (find(post).unwrap().supports)(cycle.probes, ProgramForm::Cycle).is_err() {
                 continue;
             }
             let planned = plan(&own(cycle.key, post, &[])).unwrap();

@@ -272,7 +272,7 @@ fn uncertainties_agree_with_draws() {
     for (text, seed) in &cases {
         let job = job(text);
         let plan = planned(&job);
-        let touchpath::job::Planned {
+        let touchpath::job::PlannedJob {
             job: checked, path, ..
         } = touchpath::job::planned(&job).unwrap();
         let mut draws = Draws(*seed);

@@ -8,7 +8,7 @@ use crate::tests::controls::skipping;
 use touchpath::control::{POSTS, ProgramForm};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
-use touchpath::job::{Plan, check, default_job, evaluate, examine};
+use touchpath::job::{Plan, check, check_program, default_job, evaluate};
 
 /// A hole of 40 mm at the origin, touched at +X, −X, +Y and −Y with a ball of 6 mm.
 fn hole(post: &str, offset: &str, more: &str) -> Value {
@@ -263,7 +263,7 @@ fn no_restart_in_the_middle_writes() {
     for post in POSTS.iter().filter(|post| post.work_offsets > 0) {
         for def in CYCLES
             .iter()
-            .filter(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
+            .filter(|def| (post.supports)(def.probes, ProgramForm::Moves).is_ok())
         {
             let job = with(
                 &default_job(def.key).unwrap(),
@@ -281,7 +281,7 @@ fn no_restart_in_the_middle_writes() {
                 job
             };
             let plan = planned(&job);
-            let rows = examine(&job, &plan.program.text).unwrap().unwrap();
+            let rows = check_program(&job, &plan.program.text).unwrap().unwrap();
             let row = rows
                 .iter()
                 .find(|row| row.rule == "restart-writes-nothing")

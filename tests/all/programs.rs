@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::common::{import, interpret};
 use touchpath::form::Value;
 use touchpath::import::toolpath::{
-    DIALECTS, Feature, KINDS, Known, PROGRAM_POSTS, Trip, run_program,
+    DIALECTS, Feature, KINDS, PROGRAM_POSTS, RunInputs, TriggerAt, run_program,
 };
 use touchpath::import::{Toolpath, read_program};
 
@@ -30,8 +30,8 @@ struct Case {
     /// Whether work offsets and lengths are 0.
     zero: bool,
     start: Option<[f64; 3]>,
-    touch: Trip,
-    positioning: Trip,
+    touch: TriggerAt,
+    positioning: TriggerAt,
     set: Vec<(String, f64)>,
     part: Option<Value>,
     files: Vec<(String, String)>,
@@ -108,8 +108,8 @@ fn trips(case: &mut Case, text: &str) {
     let words: Vec<&str> = text.split_whitespace().collect();
     for pair in words.chunks(2) {
         let trip = match pair {
-            [_, "never"] => Trip::Never,
-            [_, share] => Trip::At(share.parse().unwrap_or_else(|_| panic!("{text:?}"))),
+            [_, "never"] => TriggerAt::Never,
+            [_, share] => TriggerAt::At(share.parse().unwrap_or_else(|_| panic!("{text:?}"))),
             _ => panic!("{text:?}"),
         };
         match pair[0] {
@@ -128,8 +128,8 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
         post: None,
         zero: false,
         start: None,
-        touch: Trip::Unknown,
-        positioning: Trip::Unknown,
+        touch: TriggerAt::Unknown,
+        positioning: TriggerAt::Unknown,
         set: Vec::new(),
         part: None,
         files: Vec::new(),
@@ -505,7 +505,7 @@ fn followed(case: &Case, text: &str) -> (Toolpath, Vec<Said>) {
     } else {
         run_program(
             text,
-            &Known {
+            &RunInputs {
                 dialect: case.dialect,
                 set: case
                     .set

@@ -4,7 +4,7 @@ use crate::common::{job, number, planned, point, values, with};
 use touchpath::form::{Finding, Level, Value};
 use touchpath::geom::Vec3;
 use touchpath::job::check;
-use touchpath::part::{self, Above, Shape};
+use touchpath::part::{self, StylusPart, StylusShape};
 use touchpath::path::Surface;
 
 fn found(job: &Value, code: &str) -> Vec<Finding> {
@@ -290,7 +290,7 @@ fn points_on_the_cylinders_agree() {
             draw(4, -0.5, 0.5),
             draw(5, -0.3, 0.3)
         ));
-        let touchpath::job::Planned {
+        let touchpath::job::PlannedJob {
             job: checked,
             path,
             surfaces,
@@ -299,12 +299,12 @@ fn points_on_the_cylinders_agree() {
         } = touchpath::job::planned(&own).unwrap();
         assert!(run.collision.is_none());
         let up = path.frame.w;
-        let shape = Shape {
+        let shape = StylusShape {
             length: Some(draw(6, 2.0, 14.0)),
             shank: Some(draw(7, 1.0, 9.0)),
             body: Some(draw(8, 8.0, 60.0)),
         };
-        let found = part::struck(&path, &surfaces, &shape, checked.setup.radius, &run);
+        let found = part::stylus_collision(&path, &surfaces, &shape, checked.setup.radius, &run);
         let topped = path.top.is_some();
         // The deepest that a point of a cylinder lies in material, at this place of the ball.
         let in_part = |center: Vec3, shrink: f64| {
@@ -359,7 +359,8 @@ fn points_on_the_cylinders_agree() {
                     "{cycle} {k}: {found:?} meets nothing, {shape:?}"
                 );
                 assert!(
-                    found.part == Above::Body || shape.shank.unwrap() > 2.0 * checked.setup.radius
+                    found.part == StylusPart::Body
+                        || shape.shank.unwrap() > 2.0 * checked.setup.radius
                 );
             }
         }

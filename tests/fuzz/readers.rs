@@ -8,7 +8,7 @@ use crate::common::{import, with_comments};
 use touchpath::describe::{PostEntry, catalog, export_table};
 use touchpath::form::Value;
 use touchpath::import::read_program;
-use touchpath::job::{Plan, evaluate, plan, reads_alike};
+use touchpath::job::{Plan, evaluate, plan, reads_same_with_cache};
 
 use crate::draw::Draw;
 
@@ -93,7 +93,7 @@ pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
         } else {
             made.program.post
         };
-        if reads_alike(post, text) == Some(false) {
+        if reads_same_with_cache(post, text) == Some(false) {
             return Err(format!(
                 "the reader of {post} remembers another program than\n{text}"
             ));

@@ -9,7 +9,7 @@ pub(super) struct Flavour {
     /// Feed of a watched rapid, mm/min.
     pub rapid: f64,
     /// Suffix of a positioning block.
-    pub free: &'static str,
+    pub positioning_suffix: &'static str,
     /// Suffix of a touch block.
     pub touch: &'static str,
     /// A block that keeps the control from evaluating later blocks before the motion before it has ended.
@@ -31,7 +31,7 @@ pub(super) struct Flavour {
 pub(super) static PLAIN: Flavour = Flavour {
     length: "#[2000+#4111]+#[2200+#4111]",
     rapid: STATED_RAPID,
-    free: "",
+    positioning_suffix: "",
     touch: "",
     halt: "G53",
     free_again: None,
@@ -62,7 +62,7 @@ const SCALED: &str = "SCALING G51 IS ACTIVE";
 pub(super) static WITH_ALARMS: Flavour = Flavour {
     length: "#5083",
     rapid: 2400.0,
-    free: " M78",
+    positioning_suffix: " M78",
     touch: " M79",
     halt: "G103 P1",
     free_again: Some("G103"),

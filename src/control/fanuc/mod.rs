@@ -19,9 +19,9 @@ mod skip;
 use self::check::{check, check_haas_feeds};
 use self::flavour::{Flavour, PLAIN, WITH_ALARMS};
 use self::skip::{IN_POSITION, emit};
-use crate::control::iso::registers::When;
+use crate::control::iso::registers::ComputeTiming;
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::own::NativeCycles;
+use crate::control::native_run::NativeCycles;
 use crate::control::renishaw::cycles;
 use crate::control::renishaw::post::{self, CALLS, Calls, variable};
 use crate::control::{
@@ -55,7 +55,7 @@ pub static HAAS: PostDef = PostDef {
         ..=offsets::STANDARD => offsets::word(n),
         _ => format!("G154 P{}", n - offsets::STANDARD),
     },
-    cannot: &[
+    unsupported_rules: &[
         (
             rules::CONTACT_LIFTS,
             words!(
@@ -86,17 +86,17 @@ pub static HAAS: PostDef = PostDef {
 const KIN: PostDef = PostDef {
     extension: "nc",
     unused: &["tool", "setUp", "probeInput"],
-    when: When::AtOnce,
+    when: ComputeTiming::AtOnce,
     nearest_trigger: IN_POSITION,
     shortest_probe: SHORTEST_PROBE,
     constant_error: 2e-8,
     dialect: &DIALECT,
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| rate(request, step, PLAIN.rapid),
-    serves,
+    supports: serves,
     check: checked,
     emit: |request| emit(request, &PLAIN),
-    rotates: false,
+    offset_has_rotation: false,
     ..BASE
 };
 

@@ -2,12 +2,12 @@
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{Comment, program_number};
+use crate::control::iso::line_cache::ReaderId;
 use crate::control::iso::lines::{self, Blocks};
-use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{
     self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault,
 };
-use crate::control::iso::script::{Ahead, BlockKind, Part, Script, System, Trouble};
+use crate::control::iso::script::{BlockKind, LookAhead, Part, ReadError, Script, System};
 use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
@@ -82,12 +82,12 @@ fn haas_takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-pub fn fanuc(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    read(text, Hand::Fanuc, &FANUC)
+pub fn fanuc(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
+    read(text, ReaderId::Fanuc, &FANUC)
 }
 
-pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    read(text, Hand::Haas, &HAAS)
+pub fn haas(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
+    read(text, ReaderId::Haas, &HAAS)
 }
 
 struct Program<'g> {
@@ -130,11 +130,15 @@ impl<'t> Blocks<'t> for Program<'_> {
     }
 }
 
-fn read<'t>(text: &'t str, hand: Hand, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
+fn read<'t>(
+    text: &'t str,
+    hand: ReaderId,
+    grammar: &Grammar,
+) -> Result<Script<'t>, Vec<ReadError>> {
     let mut script = Script::with_room_for(text);
-    script.straight = true;
-    script.vacant = Some(0.0);
-    script.ahead = Ahead::ReadsAndActs;
+    script.offsets_lack_rotation = true;
+    script.unset_value = Some(0.0);
+    script.ahead = LookAhead::ReadsAndActs;
     // Default of parameter 6004. In the other range no angle exceeds 180, from which a program would subtract a turn.
     script.full_circle = true;
     let mut targets = Targets::default();
@@ -172,7 +176,7 @@ fn block<'t>(
     let mut cursor = Cursor::new(code);
     let here = script.blocks.len();
     if cursor.eat("N") {
-        targets.known.push((
+        targets.definitions.push((
             cursor
                 .label()
                 .ok_or_else(|| text!("a label without its number"))?,
@@ -197,7 +201,7 @@ fn block<'t>(
             assignment(name, &mut cursor, grammar, script)?
         } else {
             cursor.expect("GOTO")?;
-            targets.wanted.push((
+            targets.references.push((
                 here,
                 cursor
                     .label()
@@ -206,7 +210,7 @@ fn block<'t>(
             BlockKind::JumpIf(condition, 0)
         }
     } else if cursor.eat("GOTO") {
-        targets.wanted.push((
+        targets.references.push((
             here,
             cursor
                 .label()

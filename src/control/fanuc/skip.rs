@@ -62,7 +62,7 @@ pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program 
         flavour,
         registers: request.registers(),
         labels: 0,
-        moves_on: false,
+        may_still_move: false,
         implausible: Vec::new(),
     };
     moves::write(request, skip)
@@ -75,7 +75,7 @@ struct SkipWriter<'a> {
     registers: &'a Registers,
     labels: usize,
     /// Whether the control may reach the next block while the ball still moves: the move before it was not a probing move.
-    moves_on: bool,
+    may_still_move: bool,
     /// Texts of the alarms for implausible results, in the order of their labels.
     implausible: Vec<String>,
 }
@@ -184,13 +184,13 @@ impl SkipWriter<'_> {
     /// Stops the look-ahead.
     fn halt(&mut self, w: &mut Writer<'_>) {
         w.line(self.flavour.halt);
-        self.moves_on = false;
+        self.may_still_move = false;
     }
 
     /// A plain move.
     fn moves(&mut self, w: &mut Writer<'_>, to: Vec3, step: &Move) {
         w.straight("G1", to, true, Some(self.rate(step)));
-        self.moves_on = true;
+        self.may_still_move = true;
     }
 
     /// A watched move and its check on the axes with known positions.
@@ -204,7 +204,7 @@ impl SkipWriter<'_> {
         exit: &str,
     ) {
         let rate = self.rate(step);
-        self.probe(w, words, rate, self.flavour.free);
+        self.probe(w, words, rate, self.flavour.positioning_suffix);
         if !axes.is_empty() {
             let (off, near) = (Self::deviation_sum(w, to, axes), Self::in_position(w));
             w.parts(&["IF [", &off, " GT ", &near, "] GOTO ", exit]);
@@ -471,7 +471,7 @@ impl Moves for SkipWriter<'_> {
             self.request.scale
         };
         let register = self.registers.variables[question.variable.index()];
-        let [limit, wanted] = [question.limit, question.wanted].map(|x| constant(x / unit));
+        let [limit, wanted] = [question.limit, question.expected].map(|x| constant(x / unit));
         let off = match wanted.as_str() {
             "0." => variable(register),
             text if text.starts_with('-') => format!("{}-[{text}]", variable(register)),
@@ -501,7 +501,7 @@ impl Moves for SkipWriter<'_> {
         let alarm = alarm.unwrap_or_else(|| says("result"));
         if question.stops(self.request.writes_offset()) {
             // An alarm would stop the ball on its way.
-            if self.moves_on {
+            if self.may_still_move {
                 self.halt(w);
             }
             let label = RESULTS.0 + self.implausible.len();

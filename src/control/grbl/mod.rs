@@ -44,7 +44,7 @@ pub static FLUIDNC: PostDef = PostDef {
 /// Base of the grbl-compatible controls (grblHAL, FluidNC): the program of grbl with longer lines.
 const LONG_LINE_BASE: PostDef = PostDef {
     dialect: &LONG,
-    cannot: &[
+    unsupported_rules: &[
         (
             WRITE_OFFSET,
             words!(
@@ -102,7 +102,7 @@ const GRBL_BASE: PostDef = PostDef {
     watches_first: false,
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number", "setUp", "probeInput"],
-    cannot: &[
+    unsupported_rules: &[
         (
             WRITE_OFFSET,
             words!(
@@ -146,7 +146,7 @@ const GRBL_BASE: PostDef = PostDef {
         ),
     ],
     rate,
-    serves: |_, form| {
+    supports: |_, form| {
         if form == ProgramForm::Moves {
             Ok(())
         } else {
@@ -156,8 +156,8 @@ const GRBL_BASE: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
-    typed_write: Some(write::typed),
-    rotates: false,
+    manual_offset_block: Some(write::typed),
+    offset_has_rotation: false,
     ..BASE
 };
 

@@ -2,10 +2,10 @@
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment};
+use crate::control::iso::line_cache::ReaderId;
 use crate::control::iso::lines::{self, Blocks};
-use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Script, Trouble};
+use crate::control::iso::script::{ReadError, Script};
 use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
@@ -47,12 +47,12 @@ impl<'t> Blocks<'t> for Program {
     }
 }
 
-pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+pub fn read(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
     let mut script = Script::with_room_for(text);
     script.begins_free = true;
     lines::lines(
         text,
-        (Hand::Grbl, b'('),
+        (ReaderId::Grbl, b'('),
         &mut script,
         &mut Targets::default(),
         &mut Program,

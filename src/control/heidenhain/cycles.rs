@@ -7,8 +7,8 @@
 
 use crate::control::native::heidenhain::row;
 use crate::control::native::rows::{Probed, Shape};
-use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::{direction_at, value};
+use crate::control::native_run::machine::{Alarm, Machine};
+use crate::control::native_run::{direction_at, value};
 use crate::geom::Vec3;
 use crate::path::{Arc, ProbeTable};
 

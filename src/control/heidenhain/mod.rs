@@ -28,16 +28,16 @@ pub static DEF: PostDef = PostDef {
     about: "a Klartext program with the control's own cycles: 1411, tolerances, semi-automatic and given positions included; 408 to 427 for surfaces, circles, rectangles, webs and grooves along the axes, which measure only or write a row of the preset table. Not verified on a control.",
     extension: "h",
     work_offsets: 99,
-    own_preset: |subject| subject == FeatureKind::TwoCircles,
+    cycle_sets_preset: |subject| subject == FeatureKind::TwoCircles,
     work_offset_word: |n| format!("preset row {n}"),
     computes: false,
-    cannot: &[(
+    unsupported_rules: &[(
         ORIENT,
         words!(
             "the cycles orient the probe themselves, as the probe table says (TRACK): the orientation of the job is not used"
         ),
     )],
-    watches: false,
+    watches_positioning: false,
     dialect: &Dialect {
         comment: ("; ", ""),
         comment_width: 72,
@@ -55,7 +55,7 @@ pub static DEF: PostDef = PostDef {
     ],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
-    serves,
+    supports: serves,
     check,
     emit,
     own: Some(&plan_calls::CYCLES),

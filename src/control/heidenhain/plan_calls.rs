@@ -4,12 +4,12 @@ use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::native::heidenhain::{ROWS, row};
 use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
-use crate::control::own::executed_path::{self, CallDraft};
-use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::{
+use crate::control::native_run::executed_path::{self, CallDraft};
+use crate::control::native_run::machine::{Alarm, Machine};
+use crate::control::native_run::{
     ContactQuery, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of,
 };
-use crate::control::{Program, Request, ResultOutput, check_write, own, write_summary};
+use crate::control::{Program, Request, ResultOutput, check_write, native_run, write_summary};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
@@ -52,12 +52,12 @@ fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Pa
         let message = text!(
             "No source we have shows how these cycles take the tool axis of a plane other than G17"
         );
-        return Err(own::refused("cycle-plane", "plane", message));
+        return Err(native_run::refused("cycle-plane", "plane", message));
     }
     if path.picked {
         let message =
             text!("The control's own cycles choose their touch points: picked ones cannot be used");
-        return Err(own::refused(
+        return Err(native_run::refused(
             "cycle-chooses-points",
             "cycle.touches",
             message,
@@ -155,7 +155,11 @@ impl Plan<'_> {
                 self.request.length(self.request.set_up),
                 self.request.length(self.request.setup.radius)
             );
-            return Err(own::refused("set-up-too-long", clearance.field, message));
+            return Err(native_run::refused(
+                "set-up-too-long",
+                clearance.field,
+                message,
+            ));
         }
         Ok(left.max(0.0))
     }
@@ -253,7 +257,7 @@ impl Plan<'_> {
             let message = text!(
                 "The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped"
             );
-            return Err(own::refused("cycle-not-parallel", field, message));
+            return Err(native_run::refused("cycle-not-parallel", field, message));
         };
         self.begins_at(touch.point + touch.vector * self.aside(set_up), high);
         let towards = -touch.vector[axis].signum();
@@ -306,7 +310,7 @@ impl Plan<'_> {
                 "The control's own cycles touch a circle four times, 5° to 120° apart (three times where they write a preset): not {count} times like this",
                 angles.len()
             );
-            return Err(own::refused(
+            return Err(native_run::refused(
                 "cycle-chooses-points",
                 "cycle.stepCount",
                 message,
@@ -337,7 +341,7 @@ impl Plan<'_> {
         else {
             let message =
                 text!("The control's own cycles take walls along X and Y: these are turned");
-            return Err(own::refused(
+            return Err(native_run::refused(
                 "cycle-not-parallel",
                 "cycle.rotation",
                 message,
@@ -354,7 +358,7 @@ impl Plan<'_> {
             let message = text!(
                 "One set-up clearance holds for all sides of a rectangle: both side clearances must be the same"
             );
-            return Err(own::refused("cycle-one-path", two.field, message));
+            return Err(native_run::refused("cycle-one-path", two.field, message));
         }
         let set_up = clearances
             .first()
@@ -400,7 +404,11 @@ impl Plan<'_> {
             let message = text!(
                 "Only cycle 408 lifts between the walls of a groove, and it writes a preset; 425, which measures only, goes straight across. Choose a work offset; in a set-up the last cycle alone writes one"
             );
-            return Err(own::refused("cycle-no-lift", "control.workOffset", message));
+            return Err(native_run::refused(
+                "cycle-no-lift",
+                "control.workOffset",
+                message,
+            ));
         }
         let sizes = [side.width.value, f64::NAN];
         let probed = Probed {
@@ -458,7 +466,7 @@ impl Plan<'_> {
                 Some(alarm) => text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm)),
                 None => text!("The control's own cycle would touch other surfaces than the documented one does"),
             };
-            own::refused("cycle-stops", "cycle", message)
+            native_run::refused("cycle-stops", "cycle", message)
         })
     }
 }

@@ -44,7 +44,7 @@ pub fn trimmed(text: &str) -> &str {
 }
 
 /// The rest of a text after a prefix in small letters or capitals.
-pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
+pub fn strip_prefix_nocase<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
     let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
     same.then(|| &text[beginning.len()..])
 }
@@ -81,7 +81,7 @@ pub fn code(line: &str, round: bool) -> &str {
 
 /// The part of a block before its words.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Head {
+pub struct BlockPrefix {
     /// `/`: with block skip on, the control omits the block.
     pub skips: bool,
     /// The number of the block, `N10` or `:10`.
@@ -91,8 +91,8 @@ pub struct Head {
 }
 
 /// The part of a block before its words. An `N` without digits, or with a decimal point after them, is a word.
-pub fn head(line: &[u8]) -> Head {
-    let mut head = Head::default();
+pub fn head(line: &[u8]) -> BlockPrefix {
+    let mut head = BlockPrefix::default();
     while let Some(sign @ (b'/' | b':' | b'N' | b'n')) = line.get(head.end) {
         let begin = head.end + 1;
         let digits = line[begin..]
@@ -106,7 +106,7 @@ pub fn head(line: &[u8]) -> Head {
         if *sign == b'/' {
             head.skips = true;
         } else {
-            head.number = whole(&line[begin..end]);
+            head.number = parse_digits(&line[begin..end]);
         }
         head.end = end
             + line[end..]
@@ -143,11 +143,11 @@ pub fn program_number(line: &[u8]) -> Option<u32> {
         rest[digits..].trim_ascii_start().first(),
         None | Some(b'(' | b';')
     );
-    whole(&rest[..digits]).filter(|_| alone)
+    parse_digits(&rest[..digits]).filter(|_| alone)
 }
 
 /// The number of these digits, or the largest possible one if they exceed it.
-fn whole(digits: &[u8]) -> Option<u32> {
+fn parse_digits(digits: &[u8]) -> Option<u32> {
     let more = |sum: u32, digit: &u8| {
         sum.saturating_mul(10)
             .saturating_add(u32::from(digit - b'0'))
@@ -188,7 +188,7 @@ pub fn tokens(code: &str) -> Vec<Token> {
 }
 
 /// Whether only blanks and comments precede a word.
-pub fn leads(line: &[u8], begin: usize, at: usize) -> bool {
+pub fn is_first_word(line: &[u8], begin: usize, at: usize) -> bool {
     let mut before = line[begin..at].trim_ascii();
     while before.first() == Some(&b'(') {
         before = before[end_of(before, 0, b')')..].trim_ascii();

@@ -1,10 +1,10 @@
 //! Reads a program line by line for the strict readers: a line that a control would read differently is refused.
 
 use crate::control::iso::lex::{self, Comment, comment_at, hides, lines_of, next_line, trimmed};
-use crate::control::iso::memory::{Before, Hand, Memory};
+use crate::control::iso::line_cache::{Checkpoint, LineCache, ReaderId};
 use crate::control::iso::parse::{Parsed, fault};
-use crate::control::iso::script::{Script, Trouble};
-use crate::control::iso::targets::{Later, Targets};
+use crate::control::iso::script::{ReadError, Script};
+use crate::control::iso::targets::{BackReference, Targets};
 use crate::geom::AXIS_NAMES;
 use crate::text::{Text, text};
 
@@ -54,7 +54,12 @@ pub trait Blocks<'t> {
     ) -> Parsed<()>;
 
     /// Carries out [`Targets::later`] after the last block.
-    fn later(&mut self, _: &mut Script<'t>, _: &mut Targets<'t>, _: Later<'t>) -> Parsed<()> {
+    fn later(
+        &mut self,
+        _: &mut Script<'t>,
+        _: &mut Targets<'t>,
+        _: BackReference<'t>,
+    ) -> Parsed<()> {
         Ok(())
     }
 }
@@ -65,12 +70,12 @@ const MOST_TROUBLES: usize = 200;
 /// Reads line by line and lists the lines that are not understood.
 pub fn lines<'t>(
     text: &'t str,
-    (hand, sign): (Hand, u8),
+    (hand, sign): (ReaderId, u8),
     script: &mut Script<'t>,
     targets: &mut Targets<'t>,
     reader: &mut dyn Blocks<'t>,
-) -> Result<(), Vec<Trouble>> {
-    let mut memory = Memory::take();
+) -> Result<(), Vec<ReadError>> {
+    let mut memory = LineCache::take();
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let hidden_any = hides(text);
@@ -93,7 +98,7 @@ pub fn lines<'t>(
         {
             (returned, begun) = (returns, begun || begins);
             if let Err(message) = later(reader, script, targets) {
-                troubles.push(Trouble {
+                troubles.push(ReadError {
                     line,
                     message: *message,
                     understood: false,
@@ -102,7 +107,7 @@ pub fn lines<'t>(
             continue;
         }
         if hidden_any && hides(full) {
-            troubles.push(Trouble {
+            troubles.push(ReadError {
                 line,
                 message: hidden(),
                 understood: false,
@@ -114,7 +119,7 @@ pub fn lines<'t>(
         if returned && !trimmed.is_empty() {
             let message =
                 text!("a carriage return without a line feed: not every control ends a line there");
-            troubles.push(Trouble {
+            troubles.push(ReadError {
                 line,
                 message,
                 understood: false,
@@ -126,13 +131,13 @@ pub fn lines<'t>(
         // A tape sign starts a program and ends it: text after the second one is not loaded.
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
-                troubles.push(Trouble {
+                troubles.push(ReadError {
                     line,
                     message: text!("there is code after the final %"),
                     understood: false,
                 });
             } else if begun && lines_of(rest).any(|line| code(lex::trimmed(line))) {
-                troubles.push(Trouble {
+                troubles.push(ReadError {
                     line,
                     message: text!("% ends the program here"),
                     understood: false,
@@ -142,7 +147,7 @@ pub fn lines<'t>(
         }
         let begins = !trimmed.is_empty() && !trimmed.starts_with(';');
         begun |= begins;
-        let before = Before::of(script, targets);
+        let before = Checkpoint::of(script, targets);
         targets.depends = trimmed.is_empty();
         let read = split_comment(full, sign).and_then(|(code, comment)| {
             if let Some(start) = comment.and_then(|comment| stated_start(comment.text)) {
@@ -160,14 +165,14 @@ pub fn lines<'t>(
         }
         // A fault after it is reported after it.
         if let Err(message) = later(reader, script, targets).and(read) {
-            troubles.push(Trouble {
+            troubles.push(ReadError {
                 line,
                 message: *message,
                 understood: false,
             });
         }
     }
-    Memory::give_back(memory);
+    LineCache::give_back(memory);
     script.asked = Vec::new();
     if troubles.is_empty() {
         Ok(())
@@ -204,7 +209,7 @@ pub fn hidden() -> Text {
 }
 
 /// Lines with a semicolon, for a control without such comments.
-pub fn with_semicolons(text: &str) -> Vec<Trouble> {
+pub fn with_semicolons(text: &str) -> Vec<ReadError> {
     let mut troubles = Vec::new();
     let mut rest = text;
     // Most texts have none.
@@ -215,7 +220,7 @@ pub fn with_semicolons(text: &str) -> Vec<Trouble> {
         if next_line(&mut rest).contains(';') {
             let message =
                 text!("a semicolon begins no comment on this control: it may end the block");
-            troubles.push(Trouble {
+            troubles.push(ReadError {
                 line,
                 message,
                 understood: false,

@@ -5,9 +5,9 @@
 
 pub mod codes;
 pub mod lex;
+pub mod line_cache;
 pub mod lines;
 pub mod machine;
-pub mod memory;
 pub mod parse;
 pub mod print;
 pub mod registers;

@@ -21,7 +21,7 @@ pub struct Registers {
 
 /// Time at which a program computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum When {
+pub enum ComputeTiming {
     /// After the last move.
     AtTheEnd,
     /// As soon as the necessary touches are made, so that their triggers are not kept longer.
@@ -62,18 +62,18 @@ fn samples(path: &Path) -> usize {
 const TO_THE_END: usize = usize::MAX;
 
 /// Last use of each value of a formula.
-struct Reads {
+struct LastUses {
     /// For each assignment, the assignment that reads it last; itself if there is none.
     variables: Vec<usize>,
     /// For each coordinate of each sample, the assignment that reads it last; `None` if there is none.
     triggers: Vec<[Option<usize>; 3]>,
 }
 
-impl Reads {
+impl LastUses {
     fn of(path: &Path) -> Self {
         let formula = &path.formula;
         let triggers = vec![[None; 3]; samples(path)];
-        let mut reads = Reads {
+        let mut reads = LastUses {
             variables: (0..formula.assignments.len()).collect(),
             triggers,
         };
@@ -110,14 +110,14 @@ impl Reads {
 }
 
 /// Registers that become free after each assignment, as chains: 0 ends a chain.
-struct Spent {
+struct FreeLists {
     /// First register of the chain of each assignment.
     first: Vec<usize>,
     /// Next register of the chain. A register is in one chain at a time.
     next: Vec<usize>,
 }
 
-impl Spent {
+impl FreeLists {
     /// Marks a register as free after this assignment; an assignment that does not exist keeps it.
     fn after(&mut self, assignment: usize, register: usize) {
         if self.next.len() <= register {
@@ -131,12 +131,12 @@ impl Spent {
 
 impl Registers {
     /// Allocates a register for every value of the plain formula of a path.
-    pub fn allocate(path: &Path, when: When) -> Self {
+    pub fn allocate(path: &Path, when: ComputeTiming) -> Self {
         let formula = &path.formula;
         let mut registers = Registers::of_results(formula);
-        let reads = Reads::of(path);
+        let reads = LastUses::of(path);
         // After its last use a register becomes free, the lowest first; results are kept.
-        let mut spent = Spent {
+        let mut spent = FreeLists {
             first: vec![0; formula.assignments.len()],
             next: Vec::new(),
         };
@@ -153,7 +153,9 @@ impl Registers {
                 registers.triggers.push(((sample.index, axis), register));
                 spent.after(last, register);
             }
-            while when == When::AtOnce && needed.get(next).is_some_and(|needed| *needed <= n + 1) {
+            while when == ComputeTiming::AtOnce
+                && needed.get(next).is_some_and(|needed| *needed <= n + 1)
+            {
                 registers.assign(next, &reads, &mut spent, &mut free);
                 next += 1;
             }
@@ -178,8 +180,8 @@ impl Registers {
     fn assign(
         &mut self,
         i: usize,
-        reads: &Reads,
-        spent: &mut Spent,
+        reads: &LastUses,
+        spent: &mut FreeLists,
         free: &mut BinaryHeap<Reverse<usize>>,
     ) {
         if self.variables[i] == 0 {

@@ -14,7 +14,7 @@ pub const BLANKS: [char; 2] = [' ', '\t'];
 
 /// A line that is not understood, or is invalid at its position.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Trouble {
+pub struct ReadError {
     /// 0-based.
     pub line: usize,
     pub message: Text,
@@ -277,24 +277,24 @@ pub struct Script<'t> {
     /// Start of the ball that the program assumes, in its units, if it states one.
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
-    pub straight: bool,
+    pub offsets_lack_rotation: bool,
     /// Whether a probing move sees only the edge of the signal, not a probe that is deflected at its start.
     pub sees_edges: bool,
     /// Whether a probing move that begins in contact is an alarm, even if it needs no contact.
     pub begins_free: bool,
     /// Value of an unset variable, if the control keeps variables from one run to the next; `None` if its use is an error.
-    pub vacant: Option<f64>,
+    pub unset_value: Option<f64>,
     /// Whether ATAN of its control gives 0 to 360 instead of −180 to 180 degrees.
     pub full_circle: bool,
     /// Effects of its control before a motion has ended, without a halting block.
-    pub ahead: Ahead,
+    pub ahead: LookAhead,
     /// Variables with results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
 }
 
 /// Look-ahead of a control.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Ahead {
+pub enum LookAhead {
     /// Not past a probing move, and nothing that it reads early matters.
     #[default]
     Harmless,

@@ -40,14 +40,14 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: SHORTEST_PROBE,
     dialect: &DIALECT,
     unused: &["tool", "number", "setUp", "probeInput"],
-    cannot: &[(
+    unsupported_rules: &[(
         rules::MISS_LIFTS,
         words!(
             "G38.2 itself stops the program with an error where the ball is: nothing after it runs"
         ),
     )],
     rate,
-    serves: |_, form| match form {
+    supports: |_, form| match form {
         ProgramForm::Moves => Ok(()),
         ProgramForm::Cycle => Err(
             "LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches",
@@ -286,7 +286,7 @@ impl Moves for LinuxCnc<'_> {
         let value = print::variable(&print::Rs274, formula, question.variable);
         let (limit, wanted) = (
             decimal(question.limit / unit, 12),
-            decimal(question.wanted / unit, 12),
+            decimal(question.expected / unit, 12),
         );
         let off = less(&value, &wanted);
         let writes = self.request.writes_offset();

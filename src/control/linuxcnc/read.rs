@@ -1,12 +1,14 @@
 //! Reads LinuxCNC programs: the codes and O words of the writer and similar ones.
 
 use crate::control::iso::codes::Family;
-use crate::control::iso::lex::{self, Comment, after, trimmed};
+use crate::control::iso::lex::{self, Comment, strip_prefix_nocase, trimmed};
+use crate::control::iso::line_cache::ReaderId;
 use crate::control::iso::lines::{self, Blocks};
-use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, BlockKind, Node, NodeId, Part, Script, System, Trouble};
-use crate::control::iso::targets::{Later, Targets};
+use crate::control::iso::script::{
+    BlockKind, LookAhead, Node, NodeId, Part, ReadError, Script, System,
+};
+use crate::control::iso::targets::{BackReference, Targets};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -141,7 +143,7 @@ impl<'t> Blocks<'t> for Program<'t> {
         &mut self,
         script: &mut Script<'t>,
         targets: &mut Targets<'t>,
-        Later { what, label }: Later<'t>,
+        BackReference { what, label }: BackReference<'t>,
     ) -> Parsed<()> {
         let here = script.blocks.len() - 1;
         match what {
@@ -196,14 +198,14 @@ const IF: u8 = 2;
 const ELSE: u8 = 3;
 const END_IF: u8 = 4;
 
-pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+pub fn read(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
     let mut script = Script::with_room_for(text);
-    script.ahead = Ahead::Alarms;
+    script.ahead = LookAhead::Alarms;
     let mut targets = Targets::default();
     let mut program = Program::default();
     lines::lines(
         text,
-        (Hand::LinuxCnc, b'('),
+        (ReaderId::LinuxCnc, b'('),
         &mut script,
         &mut targets,
         &mut program,
@@ -211,7 +213,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     if let Some(Open::Sub(_, begin) | Open::If(_, begin, _)) = program.open.last() {
         let line = script.blocks[*begin].line;
         let message = text!("a subroutine or an if is not closed");
-        return Err(vec![Trouble {
+        return Err(vec![ReadError {
             line,
             message,
             understood: true,
@@ -238,7 +240,7 @@ fn has_own(text: &str) -> bool {
 fn says_values(comment: Comment<'_>) -> bool {
     ["PRINT,", "DEBUG,", "LOG,"]
         .iter()
-        .any(|word| after(trimmed(comment.text), word).is_some())
+        .any(|word| strip_prefix_nocase(trimmed(comment.text), word).is_some())
 }
 
 /// Comments with an effect: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. After a semicolon the interpreter ignores them, except for
@@ -247,14 +249,14 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
     let text = trimmed(comment.text);
     if ["PY,", "PYRUN,", "PYRELOAD"]
         .iter()
-        .any(|word| after(text, word).is_some())
+        .any(|word| strip_prefix_nocase(text, word).is_some())
     {
         return fault(text!("Python in a comment is not followed"));
     }
     if comment.sign != b'(' {
         return Ok(());
     }
-    if let Some(rest) = after(text, "PRINT,") {
+    if let Some(rest) = strip_prefix_nocase(text, "PRINT,") {
         // A text without values is shown without further effect.
         let Some((code, value)) = rest.split_once('=') else {
             return if rest.contains('#') {
@@ -267,7 +269,10 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
         script.push(line, BlockKind::Output(code.to_owned(), value));
-    } else if let Some(mut rest) = ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)) {
+    } else if let Some(mut rest) = ["DEBUG,", "LOG,"]
+        .iter()
+        .find_map(|word| strip_prefix_nocase(text, word))
+    {
         // A text with another value in it is not a result.
         let mut shown = Vec::new();
         while let Some((code, value)) = rest.split_once('=') {
@@ -285,7 +290,7 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
                 script.push(line, BlockKind::Output(code, operand));
             }
         }
-    } else if after(text, "ABORT,").is_some() {
+    } else if strip_prefix_nocase(text, "ABORT,").is_some() {
         script.push(line, BlockKind::Alarm);
     }
     Ok(())
@@ -309,14 +314,14 @@ fn o_word<'t>(
         .find(|known| word.eq_ignore_ascii_case(known.as_bytes()));
     let (block, later) = match known.unwrap_or_default() {
         "sub" => {
-            targets.known.push((label, here + 1));
+            targets.definitions.push((label, here + 1));
             // The main program passes the subroutine.
             (BlockKind::Jump(0), Some(SUB))
         }
         "endsub" => (BlockKind::Return, Some(END_SUB)),
         "call" => {
             let arguments = arguments(script, cursor)?;
-            targets.wanted.push((here, label));
+            targets.references.push((here, label));
             (BlockKind::Call(0, arguments), None)
         }
         "if" => (
@@ -328,7 +333,7 @@ fn o_word<'t>(
         _ => return fault(text!("this O word is not understood")),
     };
     script.push(line, block);
-    targets.later = later.map(|what| Later { what, label });
+    targets.later = later.map(|what| BackReference { what, label });
     cursor.end()
 }
 

@@ -1,8 +1,8 @@
 //! Moves of each macro, from its arguments and the stylus position: behaviour of the macros, version 3.14 for Haas NGC [S]; their feeds and the back-off
 //! between the two touches are settings of an installation [I: those of that edition].
 
-use crate::control::own::machine::{Alarm, Machine, MoveKind};
-use crate::control::own::{direction_at, value};
+use crate::control::native_run::machine::{Alarm, Machine, MoveKind};
+use crate::control::native_run::{direction_at, value};
 use crate::geom::Vec3;
 
 /// Feeds of the macros, mm/min: positioning, descent and first touch, second touch.
@@ -279,7 +279,7 @@ impl Call<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::own::machine::BallContact;
+    use crate::control::native_run::machine::BallContact;
 
     /// Moves of a call with given contacts, by hand: kind, position, contact.
     fn made(
@@ -302,7 +302,7 @@ mod tests {
                 .map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0))
                 .join(" ")
         };
-        let row = |made: &crate::control::own::machine::ExecutedMove| {
+        let row = |made: &crate::control::native_run::machine::ExecutedMove| {
             let contact = made
                 .met
                 .map_or_else(String::new, |met| format!(" at {}", place(met.center)));

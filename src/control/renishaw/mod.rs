@@ -4,7 +4,7 @@ pub mod macros;
 mod plan_calls;
 pub(super) mod post;
 
-use crate::control::own::NativeCycles;
+use crate::control::native_run::NativeCycles;
 use crate::path::Stored;
 
 /// Native cycles of a control with this notation of work offsets and results.

@@ -2,9 +2,9 @@
 
 use super::macros::{self, FAST, MEASURE, SEARCH};
 use crate::control::ResultOutput;
-use crate::control::own::executed_path::{self, path_of_moves};
-use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::{
+use crate::control::native_run::executed_path::{self, path_of_moves};
+use crate::control::native_run::machine::{Alarm, Machine};
+use crate::control::native_run::{
     ContactQuery, CycleLinking, NativeRequest, NativeRun, Rejections, degrees_of, refused,
 };
 use crate::formula::{Draft, Formula, OffsetCorrection, Role};
@@ -869,7 +869,7 @@ impl<'a> CallPlan<'a> {
         });
         path.start = None;
         path.calls = Some(Box::new(CallSequence {
-            counts: made.iter().map(|made| made.count).collect(),
+            counts: made.iter().map(|made| made.ordinal).collect(),
             first,
             blocks: blocks.into_iter().zip(counted).collect(),
             stored,

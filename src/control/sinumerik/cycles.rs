@@ -6,8 +6,8 @@
 
 use crate::control::native::rows::{Probed, Shape};
 use crate::control::native::siemens::ROWS;
-use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::{direction_at, value};
+use crate::control::native_run::machine::{Alarm, Machine};
+use crate::control::native_run::{direction_at, value};
 use crate::geom::Vec3;
 
 /// Runs a cycle by the positions of its arguments, lengths in mm and angles in degrees. `None` if the cycle or one of its arguments is unknown.

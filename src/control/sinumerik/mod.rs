@@ -54,7 +54,7 @@ pub static DEF: PostDef = PostDef {
     dialect: &DIALECT,
     unused: &["tool", "number", "setUp"],
     unused_by_cycles: &["feeds.work", "feeds.retract"],
-    serves,
+    supports: serves,
     check,
     emit,
     read: Some(read::read),
@@ -367,7 +367,7 @@ impl Moves for Sinumerik<'_> {
         let value = print::variable(&self.notation(), formula, question.variable);
         let (limit, wanted) = (
             decimal(question.limit / unit, 12),
-            decimal(question.wanted / unit, 12),
+            decimal(question.expected / unit, 12),
         );
         let off = match wanted.strip_prefix('-') {
             _ if wanted == "0" => value.clone(),

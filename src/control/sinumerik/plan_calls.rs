@@ -10,9 +10,9 @@ use super::cycles;
 use crate::control::iso::writer::Writer;
 use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
 use crate::control::native::siemens::ROWS;
-use crate::control::own::executed_path::{self, CallDraft};
-use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::{
+use crate::control::native_run::executed_path::{self, CallDraft};
+use crate::control::native_run::machine::{Alarm, Machine};
+use crate::control::native_run::{
     ContactQuery, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of, refused,
 };
 use crate::control::sinumerik::LAST_REGISTER;

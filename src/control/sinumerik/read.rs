@@ -2,11 +2,13 @@
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment, trimmed};
+use crate::control::iso::line_cache::ReaderId;
 use crate::control::iso::lines::{self, Blocks};
-use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Block, BlockKind, Motion, Part, Script, System, Trouble};
-use crate::control::iso::targets::{Later, Targets};
+use crate::control::iso::script::{
+    Block, BlockKind, LookAhead, Motion, Part, ReadError, Script, System,
+};
+use crate::control::iso::targets::{BackReference, Targets};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
@@ -127,7 +129,12 @@ impl<'t> Blocks<'t> for Program {
     }
 
     /// A variable that the program has declared belongs to it.
-    fn later(&mut self, script: &mut Script<'t>, _: &mut Targets<'t>, _: Later<'t>) -> Parsed<()> {
+    fn later(
+        &mut self,
+        script: &mut Script<'t>,
+        _: &mut Targets<'t>,
+        _: BackReference<'t>,
+    ) -> Parsed<()> {
         if let Some(Block { kind, .. }) = script.blocks.last_mut()
             && let BlockKind::SetOther(slot, value) = *kind
             && self.declared.get(slot as usize).is_some_and(|own| *own)
@@ -138,22 +145,22 @@ impl<'t> Blocks<'t> for Program {
     }
 }
 
-pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+pub fn read(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
     let mut script = Script::with_room_for(text);
     script.sees_edges = true;
-    script.vacant = Some(0.0);
-    script.ahead = Ahead::Reads;
+    script.unset_value = Some(0.0);
+    script.ahead = LookAhead::Reads;
     let mut targets = Targets::default();
     let mut program = Program::default();
     lines::lines(
         text,
-        (Hand::Sinumerik, b';'),
+        (ReaderId::Sinumerik, b';'),
         &mut script,
         &mut targets,
         &mut program,
     )?;
     if let (Some(line), true) = (program.second_input, names_input(text, '1')) {
-        return Err(vec![Trouble {
+        return Err(vec![ReadError {
             line,
             message: text!("the program asks both probe inputs"),
             understood: true,
@@ -191,7 +198,7 @@ fn block<'t>(
         if Cursor::new(label).name() != Some(label.as_bytes()) {
             return fault(text!("this is not a label"));
         }
-        targets.known.push((label.as_bytes(), here));
+        targets.definitions.push((label.as_bytes(), here));
         script.push(line, BlockKind::Nothing);
         return Ok(());
     }
@@ -213,7 +220,7 @@ fn block<'t>(
         cursor.number()?;
         BlockKind::Nothing
     } else if cursor.eat("GOTOF ") {
-        targets.wanted.push((
+        targets.references.push((
             here,
             cursor
                 .name()
@@ -223,7 +230,7 @@ fn block<'t>(
     } else if cursor.eat("IF ") {
         let condition = cursor.value(&GRAMMAR, script)?;
         cursor.expect("GOTOF ")?;
-        targets.wanted.push((
+        targets.references.push((
             here,
             cursor
                 .name()
@@ -251,7 +258,7 @@ fn block<'t>(
     };
     cursor.end()?;
     if matches!(what, BlockKind::SetOther(..)) {
-        targets.later = Some(Later {
+        targets.later = Some(BackReference {
             what: 0,
             label: b"",
         });

@@ -19,8 +19,8 @@ pub(super) struct Call {
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum ModeChange {
     Keep { of_subprogram: bool },
-    Forget,
-    GiveBack,
+    Discard,
+    Restore,
 }
 
 /// Change of the tool length.
@@ -30,14 +30,14 @@ pub(super) enum Length {
     Table,
     Nothing,
     /// The numbers of the block, or added to the active length.
-    Given {
+    AxisWords {
         added: bool,
     },
 }
 
 /// Effect of a code whose axis words are not a position.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-pub(super) enum Foreign {
+pub(super) enum UnfollowedCode {
     No,
     /// The code sets or stores something: nothing moves.
     Sets,
@@ -89,13 +89,13 @@ pub(super) struct Block {
     /// It names a modal motion: G0 to G3, G38.n.
     pub motion: bool,
     /// Its axis words are not a target: G10, G92, a native cycle.
-    pub elsewhere: bool,
+    pub axis_words_are_data: bool,
     /// A dwell. Its axis words give its time, unless it also names a motion or gives the time by P.
     pub dwells: bool,
     /// It writes settings (G10); L gives the kind.
     pub writes: bool,
     /// It changes the length of the tool.
-    pub lengthens: Option<Length>,
+    pub changes_tool_length: Option<Length>,
     /// It shifts every work offset.
     pub shift: Option<Shift>,
     /// It begins (true) or ends a rotation.
@@ -109,7 +109,7 @@ pub(super) struct Block {
     /// It puts the tool of the last T into the spindle.
     pub changes: bool,
     /// M70 to M73.
-    pub keeps: Option<ModeChange>,
+    pub mode_change: Option<ModeChange>,
     /// Selected work offset, 1 = G54.
     pub offset: Option<i32>,
     /// Whether its number is counted on from there, by P.
@@ -125,21 +125,21 @@ pub(super) struct Block {
     pub home: bool,
     pub feed: Option<f64>,
     /// Its F is not a modal feed: a time, or an argument of a macro.
-    pub feedless: bool,
+    pub f_is_not_feed: bool,
     /// It ends the program.
     pub ends: bool,
     /// It returns to the caller of the program (M99), or to the number in its P.
     pub returns: bool,
     /// It names two motions, or an axis twice.
-    pub twice: bool,
+    pub conflicting_words: bool,
     /// Something in it is not a word.
-    pub strange: bool,
+    pub has_unrecognised: bool,
     /// It jumps.
     pub jumps: bool,
     /// It names a code whose axis words are not a position.
-    pub foreign: Foreign,
+    pub foreign: UnfollowedCode,
     /// The block starts with an M code, and its axis words may belong to that code, unless it names a motion.
-    pub led: Foreign,
+    pub leading_m_code: UnfollowedCode,
     /// Start and end of that code's name in its line.
     pub name: [usize; 2],
     /// Start of the words, after the block's number.
@@ -149,7 +149,7 @@ pub(super) struct Block {
     /// It calls a subprogram: 97, 98 or 198.
     pub calls: Option<u8>,
     /// Whether one of these holds, or an axis is given explicitly as a position or a distance.
-    pub special: bool,
+    pub needs_reset: bool,
 }
 
 pub(super) const EMPTY: Block = Block {
@@ -164,17 +164,17 @@ pub(super) const EMPTY: Block = Block {
     once: None,
     curve: false,
     motion: false,
-    elsewhere: false,
+    axis_words_are_data: false,
     dwells: false,
     writes: false,
-    lengthens: None,
+    changes_tool_length: None,
     shift: None,
     turns: None,
     distorts: false,
     changes: false,
     spindle: None,
     contact: None,
-    keeps: None,
+    mode_change: None,
     offset: None,
     counts: false,
     l: None,
@@ -183,19 +183,19 @@ pub(super) const EMPTY: Block = Block {
     machine: false,
     home: false,
     feed: None,
-    feedless: false,
+    f_is_not_feed: false,
     ends: false,
     returns: false,
-    twice: false,
-    strange: false,
+    conflicting_words: false,
+    has_unrecognised: false,
     jumps: false,
-    foreign: Foreign::No,
-    led: Foreign::No,
+    foreign: UnfollowedCode::No,
+    leading_m_code: UnfollowedCode::No,
     name: [0; 2],
     begin: 0,
     macros: false,
     calls: None,
-    special: false,
+    needs_reset: false,
 };
 
 impl Block {
@@ -210,8 +210,17 @@ impl Block {
             self.l,
             self.p,
         ) = (None, None, None, None, None, None);
-        (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
-        (self.lengthens, self.feedless, self.keeps) = (None, false, None);
+        (
+            self.motion,
+            self.axis_words_are_data,
+            self.dwells,
+            self.writes,
+        ) = (false, false, false, false);
+        (
+            self.changes_tool_length,
+            self.f_is_not_feed,
+            self.mode_change,
+        ) = (None, false, None);
         (self.shift, self.turns, self.distorts) = (None, None, false);
         (
             self.curve,
@@ -221,11 +230,15 @@ impl Block {
             self.contact,
         ) = (false, false, false, None, None);
         (self.machine, self.home, self.others) = (false, false, false);
-        (self.ends, self.strange, self.jumps) = (false, false, false);
-        (self.returns, self.twice) = (false, false);
-        if self.special {
-            (self.foreign, self.led, self.calls, self.special) =
-                (Foreign::No, Foreign::No, None, false);
+        (self.ends, self.has_unrecognised, self.jumps) = (false, false, false);
+        (self.returns, self.conflicting_words) = (false, false);
+        if self.needs_reset {
+            (
+                self.foreign,
+                self.leading_m_code,
+                self.calls,
+                self.needs_reset,
+            ) = (UnfollowedCode::No, UnfollowedCode::No, None, false);
             self.macros = false;
             (self.placed, self.moved) = (0, 0);
         }
@@ -233,9 +246,9 @@ impl Block {
 }
 
 /// A code that is not modelled.
-pub(super) struct Named {
+pub(super) struct UnfollowedCount {
     pub name: String,
-    pub foreign: Foreign,
+    pub foreign: UnfollowedCode,
     /// Its measurement, if it is a native cycle.
     pub title: Option<&'static str>,
     pub count: Count,

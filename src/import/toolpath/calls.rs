@@ -78,7 +78,7 @@ impl<'t> Calls<'t> {
     #[inline(never)]
     pub fn step(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
         let next = self.turn(reader, line, next);
-        reader.turns_off = self.is_inside();
+        reader.may_leave_sequence = self.is_inside();
         next
     }
 
@@ -140,7 +140,7 @@ impl<'t> Calls<'t> {
                 begin
             }
             None => {
-                reader.called_out = true;
+                reader.called_external = true;
                 reader.lose(Skip::Call, next.line - 1);
                 next
             }
@@ -210,14 +210,14 @@ impl Reader {
                 times,
             }),
             _ => {
-                self.called_out = true;
+                self.called_external = true;
                 self.lose(Skip::Call, self.line);
             }
         }
     }
 
     fn take_up(&mut self, call: Call) {
-        (self.call, self.turns_off) = (Some(call), true);
+        (self.call, self.may_leave_sequence) = (Some(call), true);
     }
 
     /// The positions of the axes are unknown after a line that is not modelled.

@@ -3,7 +3,7 @@
 //! LinuxCNC, grbl, grblHAL, FluidNC, RepRapFirmware and Centroid by their sources and help texts; Fanuc and compatible controls, SINUMERIK and HEIDENHAIN by
 //! manuals. Only recalled: that a write to a Fanuc's offset variables acts immediately \[R\].
 
-use crate::import::signs::{self, Sign};
+use crate::import::dialect_markers::{self, DialectMarker};
 use crate::import::toolpath::script::grammar::{self, Grammar};
 use crate::import::toolpath::{DIALECTS, guess};
 
@@ -108,17 +108,17 @@ impl ControlKind {
         if dialect == DIALECTS[2] {
             return ControlKind::Heidenhain;
         }
-        match signs::of(text) {
+        match dialect_markers::of(text) {
             _ if guess::is_centroid(text) => ControlKind::Centroid,
             _ if guess::is_lnc(text) => ControlKind::Lnc,
             _ if guess::is_eding(text) => ControlKind::Eding,
             _ if guess::is_planetcnc(text) => ControlKind::PlanetCnc,
-            Some(Sign::LinuxCnc | Sign::Rs274) => ControlKind::LinuxCnc,
-            Some(Sign::LikeFanuc) => ControlKind::Fanuc,
-            Some(Sign::RepRap) => ControlKind::RepRap,
+            Some(DialectMarker::LinuxCnc | DialectMarker::Rs274) => ControlKind::LinuxCnc,
+            Some(DialectMarker::LikeFanuc) => ControlKind::Fanuc,
+            Some(DialectMarker::RepRap) => ControlKind::RepRap,
             // Programs that probe with macros only.
             None if calls_macros(text) => ControlKind::Fanuc,
-            Some(Sign::Klartext) | None => ControlKind::Unknown,
+            Some(DialectMarker::Klartext) | None => ControlKind::Unknown,
         }
     }
 
@@ -181,7 +181,7 @@ impl ControlKind {
         self != ControlKind::LinuxCnc
     }
 
-    pub fn renames(self) -> Renames {
+    pub fn presets_position(self) -> Renames {
         match self {
             ControlKind::Centroid => Renames::Active,
             ControlKind::RepRap => Renames::Machine,

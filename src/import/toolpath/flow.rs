@@ -4,15 +4,15 @@ use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::way::Way;
 
 /// Treatment of a line.
-pub(super) enum Step {
+pub(super) enum LineAction {
     /// Read as written.
     AsWritten,
     /// This text is read instead.
     Read(Vec<u8>),
     /// Done; nothing is read.
-    Done,
+    Skip,
     /// The program continues at this line.
-    Go(Place),
+    JumpTo(Place),
     /// It continues at this line, in a subprogram.
     Enter(Place),
     /// It continues at this line, after a subprogram.
@@ -35,9 +35,9 @@ pub(super) enum Step {
     Stop,
 }
 
-impl Step {
+impl LineAction {
     /// To a line, if there is one.
-    pub fn to(place: Option<Place>) -> Step {
-        place.map_or(Step::AsWritten, Step::Go)
+    pub fn to(place: Option<Place>) -> LineAction {
+        place.map_or(LineAction::AsWritten, LineAction::JumpTo)
     }
 }

@@ -3,7 +3,7 @@
 use crate::control::iso::script::Motion;
 use crate::control::native::{self, Call};
 use crate::form::printable;
-use crate::import::toolpath::block::{Block, Foreign, Named};
+use crate::import::toolpath::block::{Block, UnfollowedCode, UnfollowedCount};
 use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::native::{letters, listed as native_call};
@@ -23,9 +23,9 @@ impl Reader {
         let moves = block.motion || block.once.is_some();
         // Axis words after a motion belong to it, and an M code without axis words moves nothing.
         let led = if names_axes && !moves {
-            block.led
+            block.leading_m_code
         } else {
-            Foreign::No
+            UnfollowedCode::No
         };
         // RepRapFirmware configures its probe with G31. Skip signals are P1 to P4, and P98 and P99 skip by torque.
         let is_signal = |p: f64| p < 5.0 || p == 98.0 || p == 99.0;
@@ -34,41 +34,41 @@ impl Reader {
         if sets
             && names_axes
             && block.once == Some(Motion::MayTouch)
-            && block.foreign == Foreign::No
+            && block.foreign == UnfollowedCode::No
             && !self.sinumerik
         {
-            self.named(&line[block.name[0]..block.name[1]], Foreign::Sets);
+            self.named(&line[block.name[0]..block.name[1]], UnfollowedCode::Sets);
             return true;
         }
         let here = self.here();
-        match if block.foreign == Foreign::No {
+        match if block.foreign == UnfollowedCode::No {
             led
         } else {
             block.foreign
         } {
-            Foreign::No => return false,
-            Foreign::Computed => {
+            UnfollowedCode::No => return false,
+            UnfollowedCode::Computed => {
                 self.modes.maybe_changed = true;
                 self.forget(block.given);
                 self.skipped.count(Skip::Words, self.line);
                 return names_axes;
             }
-            Foreign::Sets if !names_axes => return false,
-            Foreign::Sets => self.forget(block.given),
-            Foreign::Unknown => self.forget(7),
+            UnfollowedCode::Sets if !names_axes => return false,
+            UnfollowedCode::Sets => self.forget(block.given),
+            UnfollowedCode::Unknown => self.forget(7),
         }
         // Its F may have any meaning.
         if block.feed.is_some() {
             self.feed = f64::NAN;
         }
         let [begin, end] = block.name;
-        let foreign = if block.foreign == Foreign::No {
+        let foreign = if block.foreign == UnfollowedCode::No {
             led
         } else {
             block.foreign
         };
         let name = String::from_utf8_lossy(&line[begin..end]).to_ascii_uppercase();
-        if foreign == Foreign::Unknown && native::find(&name).is_some() {
+        if foreign == UnfollowedCode::Unknown && native::find(&name).is_some() {
             self.native(&name, letters(&line[end..]), here);
             return true;
         }
@@ -82,7 +82,7 @@ impl Reader {
         let named = call.map_or(name, |call| call.name);
         self.count_named(
             named.to_owned(),
-            Foreign::Unknown,
+            UnfollowedCode::Unknown,
             call.map(|call| call.title),
         );
     }
@@ -122,11 +122,11 @@ impl Reader {
             }
             Some(p) if self.run.is_some() && self.makes_macro(p as u32, &arguments()) => {
                 self.listed(&name(p), arguments(), place);
-                block.elsewhere = true;
+                block.axis_words_are_data = true;
             }
             Some(p @ (9810.0 | 8810.0)) => {
                 self.listed(&name(p), arguments(), place);
-                (block.elsewhere, block.once) = (false, Some(Motion::Straight));
+                (block.axis_words_are_data, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
             // These switch the probe, compare two features, and correct a tool: nothing moves.
@@ -144,7 +144,7 @@ impl Reader {
     }
 
     /// Counts a block that is not modelled, by the name of its code.
-    pub(super) fn named(&mut self, name: &[u8], foreign: Foreign) {
+    pub(super) fn named(&mut self, name: &[u8], foreign: UnfollowedCode) {
         const LONGEST: usize = 12;
         let letters = name
             .iter()
@@ -156,7 +156,7 @@ impl Reader {
         self.count_named(name, foreign, None);
     }
 
-    fn count_named(&mut self, name: String, foreign: Foreign, title: Option<&'static str>) {
+    fn count_named(&mut self, name: String, foreign: UnfollowedCode, title: Option<&'static str>) {
         if let Some(known) = self.foreign.iter_mut().find(|known| known.name == name) {
             return count(&mut known.count, self.line);
         }
@@ -165,7 +165,7 @@ impl Reader {
         }
         let mut times = Count::default();
         count(&mut times, self.line);
-        self.foreign.push(Named {
+        self.foreign.push(UnfollowedCount {
             name,
             foreign,
             title,
@@ -175,7 +175,7 @@ impl Reader {
 }
 
 /// Text about such a code.
-pub(super) fn by_name(named: &Named) -> Text {
+pub(super) fn by_name(named: &UnfollowedCount) -> Text {
     let (name, foreign) = (printable(&named.name), named.foreign);
     if let Some(title) = named.title {
         return text!(
@@ -184,7 +184,7 @@ pub(super) fn by_name(named: &Named) -> Text {
             title.to_owned()
         );
     }
-    if foreign == Foreign::Sets {
+    if foreign == UnfollowedCode::Sets {
         text!(
             "{code} moves nothing here, and the axis words beside it are not a position: its block is not followed",
             name

@@ -58,7 +58,7 @@ impl Reader {
     }
 
     /// Begins an unknown condition: its lines run or not. `until` is the target of a jump.
-    pub(super) fn parts(&mut self, until: Option<usize>) {
+    pub(super) fn begin_branch(&mut self, until: Option<usize>) {
         if self.run.is_none() {
             return;
         }
@@ -81,7 +81,7 @@ impl Reader {
     }
 
     /// Begins the next branch of the same condition; `otherwise`: it runs if no earlier one did.
-    pub(super) fn other_way(&mut self, otherwise: bool) {
+    pub(super) fn next_branch(&mut self, otherwise: bool) {
         let own = self.state();
         let Some(fork) = self
             .forks
@@ -101,7 +101,7 @@ impl Reader {
     }
 
     /// Joins the branches of the innermost condition, or those of a jump to this line.
-    pub(super) fn meet(&mut self, line: Option<usize>) {
+    pub(super) fn join_branches(&mut self, line: Option<usize>) {
         while let Some(at) = self.forks.iter().rposition(|fork| fork.until == line) {
             let fork = self.forks.swap_remove(at);
             let mut ends = self.state();

@@ -488,7 +488,7 @@ impl Frames {
 
     /// The current position gets these numbers by a shift: G92.
     pub fn shift_to(&mut self, axes: Axes, mut values: Position, position: &mut Position) {
-        match self.kind.renames() {
+        match self.kind.presets_position() {
             Renames::Active => return self.write_position(None, axes, values, position),
             Renames::Machine => {
                 each(axes).for_each(|axis| values[axis] -= self.now.machine[axis]);

@@ -1,9 +1,9 @@
 //! Recognises the dialect of a text.
 
 use crate::control::iso::lex::{
-    after, comment_at, head, lines_of, trimmed, without_count, without_number,
+    comment_at, head, lines_of, strip_prefix_nocase, trimmed, without_count, without_number,
 };
-use crate::import::signs;
+use crate::import::dialect_markers;
 use crate::import::toolpath::DIALECTS;
 
 /// Syntax of a SINUMERIK program.
@@ -29,10 +29,9 @@ const MOST_LINES: usize = 2000;
 /// them.
 pub(in crate::import) fn guessed(text: &str) -> &'static str {
     // Its first block.
-    if lines_of(text)
-        .take(50)
-        .any(|line| after(without_count(without_number(trimmed(line))), "BEGIN PGM").is_some())
-    {
+    if lines_of(text).take(50).any(|line| {
+        strip_prefix_nocase(without_count(without_number(trimmed(line))), "BEGIN PGM").is_some()
+    }) {
         return DIALECTS[2];
     }
     let [mut likely, mut assigns, mut units] = [false; 3];
@@ -88,7 +87,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
         assigns |= AXES.iter().any(|word| plain.contains(word));
         units |= UNITS.iter().any(|code| plain.contains(code));
     }
-    let sinumerik = (likely || assigns && units) && signs::of(text).is_none();
+    let sinumerik = (likely || assigns && units) && dialect_markers::of(text).is_none();
     DIALECTS[usize::from(sinumerik)]
 }
 

@@ -11,7 +11,7 @@ impl Reader {
             line.split(|b| b.is_ascii_whitespace() || *b == b'*')
                 .any(|word| word.eq_ignore_ascii_case(code))
         };
-        self.begun = true;
+        self.has_code = true;
         if says(b"G70") || says(b"G71") {
             self.heidenhain = true;
             self.units(says(b"G71"));

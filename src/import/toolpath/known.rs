@@ -5,14 +5,14 @@ use std::rc::Rc;
 use crate::form::{Checker, Level, Value, printable};
 use crate::geom::Vec3;
 use crate::import::toolpath::{DIALECTS, PROGRAM_POSTS};
-use crate::job::{FORMAT, JobError, Planned};
+use crate::job::{FORMAT, JobError, PlannedJob};
 #[cfg(target_arch = "wasm32")]
 use crate::job::{Picture, Projection};
 use crate::text::text;
 
 /// Trigger of a probing move, as a fraction of its length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Trip {
+pub enum TriggerAt {
     /// Unknown.
     #[default]
     Unknown,
@@ -24,7 +24,7 @@ pub enum Trip {
 
 /// The virtual part of a job, as an obstacle for probing moves.
 #[derive(Clone, Debug)]
-pub struct Feature(Rc<Planned>);
+pub struct Feature(Rc<PlannedJob>);
 
 impl Feature {
     /// The part of a job; `None` for a job with errors.
@@ -51,7 +51,7 @@ impl Feature {
 
     /// Fraction of a straight move, in mm, at which the job's ball contacts it.
     pub(super) fn contact(&self, from: Vec3, to: Vec3) -> Option<f64> {
-        let Planned {
+        let PlannedJob {
             job,
             path,
             surfaces,
@@ -63,7 +63,7 @@ impl Feature {
 
 /// Inputs of a run.
 #[derive(Clone, Debug, Default)]
-pub struct Known<'t> {
+pub struct RunInputs<'t> {
     /// One of [`super::DIALECTS`]; `None` recognises it from the text.
     pub dialect: Option<&'static str>,
     /// The control, one of [`super::PROGRAM_POSTS`]; `None` recognises it from the text.
@@ -75,9 +75,9 @@ pub struct Known<'t> {
     /// Position of the stylus before the first block, in the program's first units; NaN is unknown.
     pub start: Option<[f64; 3]>,
     /// Trigger of touches.
-    pub touch: Trip,
+    pub touch: TriggerAt,
     /// Trigger of watched positioning moves.
-    pub positioning: Trip,
+    pub positioning: TriggerAt,
     /// Part that probing moves contact; replaces both triggers.
     pub feature: Option<Feature>,
     /// Texts with subprograms, by their names.
@@ -86,18 +86,18 @@ pub struct Known<'t> {
 
 /// A value that a program reads without setting it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Ask {
+pub struct UnsetVariable {
     /// Its name in the text: `#3014`, `#<_name>`, `R1`.
     pub name: String,
     /// The 0-based lines that read it.
     pub lines: Vec<u32>,
 }
 
-impl<'t> Known<'t> {
+impl<'t> RunInputs<'t> {
     /// Reads the inputs of a caller: an object with `dialect`, `set`, `start`, `part` and `files`, all optional.
     pub fn of(value: &'t Value) -> Result<Self, JobError> {
         let mut checker = Checker::default();
-        let mut known = Known::default();
+        let mut known = RunInputs::default();
         let entries = match value {
             Value::Map(entries) => entries.as_slice(),
             Value::Null => &[],
@@ -290,11 +290,11 @@ fn texts<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t 
 }
 
 /// A fraction of a move; null: no contact; left out: unknown.
-fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
+fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> TriggerAt {
     match value {
-        None | Some(Value::Other("undefined")) => Trip::Unknown,
-        Some(Value::Null) => Trip::Never,
-        Some(Value::Number(part)) if (0.0..=1.0).contains(part) => Trip::At(*part),
+        None | Some(Value::Other("undefined")) => TriggerAt::Unknown,
+        Some(Value::Null) => TriggerAt::Never,
+        Some(Value::Number(part)) if (0.0..=1.0).contains(part) => TriggerAt::At(*part),
         Some(_) => {
             checker.error(
                 "out-of-range",
@@ -304,7 +304,19 @@ fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
                     path.to_owned()
                 ),
             );
-            Trip::Unknown
+            TriggerAt::Unknown
         }
     }
 }
+
+/// Former name of [`RunInputs`].
+#[deprecated(since = "0.3.0", note = "use `RunInputs`")]
+pub type Known<'t> = RunInputs<'t>;
+
+/// Former name of [`TriggerAt`].
+#[deprecated(since = "0.3.0", note = "use `TriggerAt`")]
+pub type Trip = TriggerAt;
+
+/// Former name of [`UnsetVariable`].
+#[deprecated(since = "0.3.0", note = "use `UnsetVariable`")]
+pub type Ask = UnsetVariable;

@@ -24,12 +24,12 @@ mod native;
 mod outline;
 mod own_path;
 mod plain;
+mod probe_intent;
 mod reader;
 mod rules;
 mod script;
 mod skipped;
 mod system;
-mod watch;
 mod way;
 mod words;
 mod writes;
@@ -45,20 +45,22 @@ use block::EMPTY;
 use calls::{Calls, Place};
 use control_kind::ControlKind;
 pub use control_kind::{PROGRAM_POSTS, program_post_title};
-use flow::Step;
+use flow::LineAction;
 use frames::Frames;
 pub(super) use guess::guessed;
 use klartext::Klartext;
-pub use known::{Ask, Feature, Known, Trip};
+#[allow(deprecated)]
+pub use known::{Ask, Known, Trip};
+pub use known::{Feature, RunInputs, TriggerAt, UnsetVariable};
 pub use native::{NativeArgument, NativeCall};
 pub use outline::{Heading, outline};
-use reader::{Reader, Touching};
+use probe_intent::{AfterProbe, has_probing_code};
+use reader::{ProbeModel, Reader};
 use rules::Log;
 pub use rules::{RUN_RULES, RunRule};
 use script::grammar::{HEIDENHAIN, SINUMERIK};
 use script::{Machine, is_macro};
 use skipped::Skip;
-use watch::{Behind, probes};
 pub use writes::{WRITE_KINDS, Write};
 
 /// Longest program that is read, in UTF-16 units.
@@ -118,7 +120,7 @@ pub struct Toolpath {
     /// 0-based lines of each finding.
     pub finding_lines: Vec<Vec<u32>>,
     /// Values that the program reads without setting them.
-    pub asks: Vec<Ask>,
+    pub asks: Vec<UnsetVariable>,
     /// Calls of native cycles, in the order in which they run.
     pub calls: Vec<NativeCall>,
     /// Safety rules for a run that probes.
@@ -258,7 +260,7 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
 
 /// Runs a program with inputs beyond its text: [`read_program`] with values of variables, a start, and triggers of touches. After a touch with an unknown
 /// trigger the position along it is unknown. Lines of other files are numbered after those of the text.
-pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
+pub fn run_program(text: &str, known: &RunInputs<'_>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let told = known
         .dialect
@@ -283,11 +285,11 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     let kind = ControlKind::of(text, dialect, known.post);
     reader.frames = Frames::new(kind, known.zero);
     reader.tell(&known.set);
-    reader.run = Some(Touching {
+    reader.run = Some(ProbeModel {
         touch: known.touch,
         positioning: known.positioning,
         feature: known.feature.clone(),
-        behind: Behind::default(),
+        behind: AfterProbe::default(),
         contact: [f64::NAN; 3],
         contact_in_machine: [f64::NAN; 3],
         met: None,
@@ -371,7 +373,7 @@ fn run(
     let files = &reader.files;
     let mut macros = grammar.map(|grammar| Machine::new(text, end, grammar, set, files));
     if let Some(macros) = macros.as_mut().filter(|_| reader.run.is_some()) {
-        macros.sees(reader.system());
+        macros.set_system(reader.system());
     }
     let mut run = Run {
         text,
@@ -402,7 +404,12 @@ fn run(
 }
 
 /// The path, with findings about the whole program.
-fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
+fn finished(
+    text: &str,
+    mut reader: Reader,
+    asks: Vec<UnsetVariable>,
+    shown: &[String],
+) -> Toolpath {
     let log = reader.log.take();
     let unread = reader.unread();
     let left = reader.modes;
@@ -429,7 +436,7 @@ fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) ->
         log.left_unsure = left.unsure.distance;
         log.stopped = path.stopped;
         log.returns |= !shown.is_empty();
-        path.rules = rules::asked(&path, &mut log);
+        path.rules = rules::checks_contact(&path, &mut log);
         path.writes = log.writes;
     }
     let mut note = |finding: Finding| {
@@ -483,53 +490,53 @@ impl Run<'_> {
                 line: self.reader.line,
             };
             if !self.reader.forks.is_empty() {
-                self.reader.meet(Some(here.line));
+                self.reader.join_branches(Some(here.line));
             }
             self.looks_ahead(line, below);
             match self.step(line, here, below) {
-                Step::AsWritten => self.reader.read(line, &mut block),
-                Step::Read(read) => {
+                LineAction::AsWritten => self.reader.read(line, &mut block),
+                LineAction::Read(read) => {
                     // The replacement may be another code.
-                    if !probes(line) {
+                    if !has_probing_code(line) {
                         self.probes_ahead(&read, below);
                     }
                     self.reader.read(&read, &mut block);
                 }
-                Step::Done => {}
-                Step::Go(to) => {
+                LineAction::Skip => {}
+                LineAction::JumpTo(to) => {
                     (at, self.reader.line) = (to.at, to.line);
                     continue;
                 }
-                Step::Enter(to) => {
+                LineAction::Enter(to) => {
                     self.reader.enters_call();
                     (at, self.reader.line) = (to.at, to.line);
                     continue;
                 }
-                Step::Leave(to) => {
+                LineAction::Leave(to) => {
                     self.reader.leaves_call();
                     (at, self.reader.line) = (to.at, to.line);
                     continue;
                 }
-                Step::Astray => self.reader.lose(Skip::Jump, here.line),
-                Step::MayJump(to) => {
-                    self.reader.parts(Some(to));
+                LineAction::Astray => self.reader.lose(Skip::Jump, here.line),
+                LineAction::MayJump(to) => {
+                    self.reader.begin_branch(Some(to));
                     self.reader.read(line, &mut block);
                 }
-                Step::MayLeave(to) => self.reader.may_leave(to),
-                Step::Way(way) => self.reader.goes_unknown_way(way),
-                Step::Again(way) => {
+                LineAction::MayLeave(to) => self.reader.may_leave(to),
+                LineAction::Way(way) => self.reader.goes_unknown_way(way),
+                LineAction::Again(way) => {
                     self.reader.goes_unknown_way(way);
                     continue;
                 }
-                Step::BranchEnds(to) => {
+                LineAction::BranchEnds(to) => {
                     self.reader.branch_ends();
                     if let Some(to) = to {
                         (at, self.reader.line) = (to.at, to.line);
                         continue;
                     }
                 }
-                Step::Ends => self.reader.aborts(),
-                Step::Stop => return self.reader.lose(Skip::Endless, here.line),
+                LineAction::Ends => self.reader.aborts(),
+                LineAction::Stop => return self.reader.lose(Skip::Endless, here.line),
             }
             self.reader.line += 1;
             at = below;
@@ -542,7 +549,7 @@ impl Run<'_> {
                 (self.reader.returned, self.reader.ended) = (false, false);
                 self.reader.may_leave(back.line);
             }
-            if self.reader.turns_off {
+            if self.reader.may_leave_sequence {
                 let next = self.calls.step(
                     &mut self.reader,
                     line,
@@ -553,7 +560,7 @@ impl Run<'_> {
                 );
                 (at, self.reader.line) = (next.at, next.line);
             }
-            if std::mem::take(&mut self.reader.called_out)
+            if std::mem::take(&mut self.reader.called_external)
                 && let Some(macros) = &mut self.macros
             {
                 macros.forget();
@@ -579,13 +586,13 @@ impl Run<'_> {
         let macros = self.macros.as_mut().filter(|_| !self.reader.ended)?;
         while let Some(step) = macros.dedents(self.reader.line) {
             match step {
-                Step::Go(begin) => return Some(begin),
-                Step::Again(way) => self.reader.goes_unknown_way(way),
+                LineAction::JumpTo(begin) => return Some(begin),
+                LineAction::Again(way) => self.reader.goes_unknown_way(way),
                 _ => break,
             }
         }
         let is_over = at >= self.text.len();
-        let back = is_over.then(|| macros.fall_out(true)).flatten()?;
+        let back = is_over.then(|| macros.end_subprogram(true)).flatten()?;
         self.reader.leaves_call();
         Some(back)
     }
@@ -606,7 +613,7 @@ impl Run<'_> {
             return;
         }
         self.probes_ahead(line, below);
-        if watch::judges(line) {
+        if probe_intent::judges(line) {
             self.reader.asks();
         }
         if let Some(macros) = self
@@ -614,7 +621,7 @@ impl Run<'_> {
             .as_mut()
             .filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some())
         {
-            macros.sees(self.reader.system());
+            macros.set_system(self.reader.system());
         }
     }
 
@@ -623,8 +630,8 @@ impl Run<'_> {
         let Some(touching) = &mut self.reader.run else {
             return;
         };
-        if probes(line) || self.reader.modes.motion.probes() {
-            touching.behind = watch::behind(line, &self.text[below..]);
+        if has_probing_code(line) || self.reader.modes.motion.probes() {
+            touching.behind = probe_intent::after_probe(line, &self.text[below..]);
         }
     }
 
@@ -649,11 +656,11 @@ impl Run<'_> {
 
     /// Treatment of a line. Lines after the end that ran where they were called are not reported.
     #[inline]
-    fn step(&mut self, line: &[u8], here: Place, below: usize) -> Step {
+    fn step(&mut self, line: &[u8], here: Place, below: usize) -> LineAction {
         let ended = self.reader.ended;
         match &mut self.macros {
-            _ if ended && self.calls.has_run(here.line) => Step::Done,
-            Some(macros) if ended && macros.has_run(here.line) => Step::Done,
+            _ if ended && self.calls.has_run(here.line) => LineAction::Skip,
+            Some(macros) if ended && macros.has_run(here.line) => LineAction::Skip,
             Some(macros) if !ended && (!self.reader.heidenhain || self.reader.run.is_some()) => {
                 let next = Place {
                     at: below,
@@ -665,7 +672,7 @@ impl Run<'_> {
                 }
                 step
             }
-            _ => Step::AsWritten,
+            _ => LineAction::AsWritten,
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::geom::{Plane, Vec3};
 use crate::import::toolpath::block::Block;
 use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::count::count;
-use crate::import::toolpath::known::Trip;
+use crate::import::toolpath::known::TriggerAt;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
@@ -148,9 +148,9 @@ impl Reader {
         // A Haas states the kind of the move itself.
         match block.contact {
             Some(Motion::MustBeFree) => {
-                (run.behind.watched, run.behind.asked) = (true, true);
+                (run.behind.watched, run.behind.checks_contact) = (true, true);
             }
-            Some(_) => (run.behind.watched, run.behind.asked) = (false, true),
+            Some(_) => (run.behind.watched, run.behind.checks_contact) = (false, true),
             None => {}
         }
         self.path.by_g38 |= motion == Motion::MustTouch || self.modes.motion.probes();
@@ -160,10 +160,12 @@ impl Reader {
                 line: self.line,
                 axes: block.given,
                 stops: motion == Motion::MustTouch,
-                asked: run.behind.asked,
+                asked: run.behind.checks_contact,
                 watched: run.behind.watched,
                 positions: run.behind.watched
-                    || motion != Motion::MustTouch && !run.behind.asked && !run.behind.reads,
+                    || motion != Motion::MustTouch
+                        && !run.behind.checks_contact
+                        && !run.behind.reads,
                 may_ask: run.behind.may_ask,
                 feed: self.feed,
                 states_feed: self.states_feed || block.feed.is_some(),
@@ -184,33 +186,35 @@ impl Reader {
         let (begin, end) = (seen(from), seen(to));
         let trip = match &run.feature {
             None => stated,
-            Some(_) if begin.is_nan() || end.is_nan() => Trip::Unknown,
-            Some(feature) => feature.contact(begin, end).map_or(Trip::Never, Trip::At),
+            Some(_) if begin.is_nan() || end.is_nan() => TriggerAt::Unknown,
+            Some(feature) => feature
+                .contact(begin, end)
+                .map_or(TriggerAt::Never, TriggerAt::At),
         };
         // An axis that does not move keeps its position.
         let stays = |axis: usize| to[axis] == from[axis];
         let end = |axis: usize| match trip {
             _ if stays(axis) => to[axis],
-            Trip::At(part) => from[axis] + part * (to[axis] - from[axis]),
-            Trip::Never => to[axis],
-            Trip::Unknown => f64::NAN,
+            TriggerAt::At(part) => from[axis] + part * (to[axis] - from[axis]),
+            TriggerAt::Never => to[axis],
+            TriggerAt::Unknown => f64::NAN,
         };
         self.place = [0, 1, 2].map(end);
         run.contact = self.frames.contact_variables(self.place);
         run.contact_in_machine = self.frames.in_machine(self.place);
         run.met = match trip {
-            Trip::At(_) => Some(true),
-            Trip::Never => Some(false),
-            Trip::Unknown => None,
+            TriggerAt::At(_) => Some(true),
+            TriggerAt::Never => Some(false),
+            TriggerAt::Unknown => None,
         };
-        if let Trip::At(_) = trip {
+        if let TriggerAt::At(_) = trip {
             let [x, y, z] = self.place;
             self.path
                 .contacts
                 .push([(self.path.kind.len() - 1) as f64, x, y, z]);
         }
         // LinuxCNC's G38.2 and G38.4 stop the program without a contact.
-        let missed = trip == Trip::Never && matches!(motion, Motion::MustTouch);
+        let missed = trip == TriggerAt::Never && matches!(motion, Motion::MustTouch);
         let chained = run.behind.chained && run.met == Some(true);
         if missed {
             count(&mut self.missed, self.line);

@@ -6,7 +6,7 @@ use crate::control::heidenhain::read::{Given, assignments};
 use crate::control::iso::lex::number;
 use crate::control::native::{self, Argument, Call};
 use crate::form::{Value, printable};
-use crate::import::adopt::Called;
+use crate::import::call_to_job::CallContext;
 use crate::import::toolpath::Toolpath;
 use crate::num::decimal;
 
@@ -72,7 +72,7 @@ pub(super) fn listed(
         _ => None,
     };
     let job = call.filter(|_| !path.centroid).and_then(|call| {
-        Called {
+        CallContext {
             name: call.name,
             post,
             arguments: &arguments,

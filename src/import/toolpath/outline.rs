@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::control::iso::lex::{
-    after, lines_of, program_number, trimmed, without_count, without_number,
+    lines_of, program_number, strip_prefix_nocase, trimmed, without_count, without_number,
 };
 use crate::form::printable;
 
@@ -26,7 +26,7 @@ pub fn outline(text: &str) -> Vec<Heading> {
         let plain = trimmed(without_count(without_number(line)));
         let code = plain.as_bytes();
         let (first, named) = (code.first().map(u8::to_ascii_uppercase), |word: &str| {
-            after(plain, word).is_some()
+            strip_prefix_nocase(plain, word).is_some()
         });
         let is = match first {
             Some(b'O') => program_number(code).is_some() || sub(code),

@@ -1,14 +1,14 @@
 //! Moves of native cycles, if they are known, in a run with a known stylus position: Renishaw's macros, measuring cycles of a SINUMERIK.
 
 use crate::control::native::{self, Unit};
-use crate::control::own::machine::{
+use crate::control::native_run::machine::{
     Alarm, BallContact, ExecutedMove, IN_POSITION, Machine, MoveKind,
 };
 use crate::control::renishaw::macros::{self, FAST};
 use crate::control::sinumerik::cycles;
 use crate::geom::{Plane, Vec3};
 use crate::import::toolpath::count::{Count, count};
-use crate::import::toolpath::known::Trip;
+use crate::import::toolpath::known::TriggerAt;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
@@ -188,11 +188,11 @@ impl Reader {
         let (frames, inch) = (self.frames.clone(), self.inch());
         let seen = move |p: Vec3| Vec3::from_array(frames.drawn((p / inch).to_array())) * inch;
         move |from: Vec3, to: Vec3, expected: Option<Vec3>| {
-            let part = |trip: Trip| match trip {
-                Trip::At(part) => Some(from + (to - from) * part),
-                Trip::Never => None,
+            let part = |trip: TriggerAt| match trip {
+                TriggerAt::At(part) => Some(from + (to - from) * part),
+                TriggerAt::Never => None,
                 // At the feature's position in the call.
-                Trip::Unknown => expected,
+                TriggerAt::Unknown => expected,
             };
             let center = match &known {
                 _ if from.is_nan() || to.is_nan() => None,
@@ -201,7 +201,7 @@ impl Reader {
                     .map(|part| from + (to - from) * part),
                 Some((None, touch, _)) if expected.is_some() => part(*touch),
                 Some((None, _, positioning)) => {
-                    part(*positioning).filter(|_| *positioning != Trip::Unknown)
+                    part(*positioning).filter(|_| *positioning != TriggerAt::Unknown)
                 }
                 None => expected,
             };

@@ -63,7 +63,7 @@ impl Reader {
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
             return false;
         }
-        (self.begun, self.leaps, self.modes.motion) = (true, false, motion);
+        (self.has_code, self.may_skip_next, self.modes.motion) = (true, false, motion);
         if let Some(feed) = feed {
             self.feed = feed * self.modes.scale;
         }

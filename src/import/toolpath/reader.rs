@@ -3,18 +3,20 @@
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Block, Call, Foreign, Fork, Length, ModeChange, Named};
+use crate::import::toolpath::block::{
+    Block, Call, Fork, Length, ModeChange, UnfollowedCode, UnfollowedCount,
+};
 use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::frames::{Axes, Frames, Position};
 use crate::import::toolpath::key::Key;
-use crate::import::toolpath::known::{Feature, Trip};
+use crate::import::toolpath::known::{Feature, TriggerAt};
 use crate::import::toolpath::modes::{Given, Modes};
 use crate::import::toolpath::native::{letters, places};
+use crate::import::toolpath::probe_intent::AfterProbe;
 use crate::import::toolpath::rules::Log;
 use crate::import::toolpath::skipped::{Skip, Skipped};
 use crate::import::toolpath::system::System;
-use crate::import::toolpath::watch::Behind;
 use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
@@ -31,13 +33,13 @@ pub(super) struct Kept {
 }
 
 /// Probe model of a run.
-pub(super) struct Touching {
-    pub touch: Trip,
-    pub positioning: Trip,
+pub(super) struct ProbeModel {
+    pub touch: TriggerAt,
+    pub positioning: TriggerAt,
     /// Part that probing moves contact; replaces both triggers.
     pub feature: Option<Feature>,
     /// Behaviour of the program after the next probing move.
-    pub behind: Behind,
+    pub behind: AfterProbe,
     /// End of the last probing move, in the units of the path, and whether it had a contact.
     pub contact: [f64; 3],
     /// That position in machine coordinates: a work offset that is written later does not change it.
@@ -60,7 +62,7 @@ pub(super) struct Reader {
     /// Coordinate systems.
     pub frames: Frames,
     /// Probe model of a run; `None` if the text is only read.
-    pub run: Option<Touching>,
+    pub run: Option<ProbeModel>,
     /// Events beside the moves, for the rules.
     pub log: Option<Log>,
     /// The tool that is called next, and the active one; NaN if it is computed.
@@ -86,15 +88,15 @@ pub(super) struct Reader {
     /// Axes that were last moved by a distance instead of to a position.
     pub relative: Axes,
     /// Whether the previous block may jump over this one.
-    pub leaps: bool,
+    pub may_skip_next: bool,
     /// Whether there was any code: a tape sign `%` before it begins the program, one after it ends it.
-    pub begun: bool,
+    pub has_code: bool,
     /// After the end of the program.
     pub ended: bool,
     /// Subprogram that the block calls. If it is followed, its lines come next.
     pub call: Option<Call>,
     /// Whether something outside this text, or unknown, was called: it may set any variable.
-    pub called_out: bool,
+    pub called_external: bool,
     /// Whether a macro with its own locals was called: G65.
     pub called_macro: bool,
     /// Whether the current call is an Okuma's.
@@ -102,7 +104,7 @@ pub(super) struct Reader {
     /// Whether the block returns to the caller of its subprogram.
     pub returned: bool,
     /// Whether the next line may come from elsewhere: after a call, in a subprogram, at its end.
-    pub turns_off: bool,
+    pub may_leave_sequence: bool,
     pub feed: f64,
     /// Whether the program has stated a feed.
     pub states_feed: bool,
@@ -148,7 +150,7 @@ pub(super) struct Reader {
     /// Rapids, and other moves, that collide with the given part.
     pub collisions: [Count; 2],
     /// Codes whose axis words are not a position, by name.
-    pub foreign: Vec<Named>,
+    pub foreign: Vec<UnfollowedCount>,
     /// Line of the first units, if moves come before it.
     pub late_units: Option<usize>,
 }
@@ -211,7 +213,7 @@ impl Reader {
         let unknown = self
             .foreign
             .iter()
-            .filter(|named| named.title.is_none() && named.foreign == Foreign::Unknown)
+            .filter(|named| named.title.is_none() && named.foreign == UnfollowedCode::Unknown)
             .flat_map(|named| &named.count.lines);
         let mut lines: Vec<u32> = self
             .skipped
@@ -252,7 +254,7 @@ impl Reader {
             table: to_units(self.frames.table()),
             met,
             rests: self.run.as_ref().is_some_and(|run| {
-                run.met.is_none() && (run.touch != Trip::Unknown || run.feature.is_some())
+                run.met.is_none() && (run.touch != TriggerAt::Unknown || run.feature.is_some())
             }),
             metric: self.path.metric.map(|first| (scale == 1.0) == first),
             absolute: self.modes.stated.then_some(self.modes.absolute),
@@ -291,10 +293,10 @@ impl Reader {
                 return self.heidenhain_head(line);
             }
             // `%_N_PART_MPF` and `%100` name a program.
-            self.ended |= self.begun && line[1..].trim_ascii().is_empty();
+            self.ended |= self.has_code && line[1..].trim_ascii().is_empty();
             return;
         }
-        self.begun |= !matches!(first, b'(' | b';');
+        self.has_code |= !matches!(first, b'(' | b';');
         if first == b';' || first == b'(' && self.ended {
             return;
         }
@@ -335,10 +337,10 @@ impl Reader {
         block.empty();
         block.begin = begin;
         // Between a jump and the end that it skips there may be comments and assignments.
-        let leaped = self.leaps;
-        self.leaps &= matches!(line.get(begin), Some(b'(' | b'#'));
+        let leaped = self.may_skip_next;
+        self.may_skip_next &= matches!(line.get(begin), Some(b'(' | b'#'));
         self.words(line, block);
-        if block.strange {
+        if block.has_unrecognised {
             return self.pass_strange(line, block, before);
         }
         // With block skip on, the control omits it: an end there ends nothing.
@@ -388,12 +390,12 @@ impl Reader {
                 return;
             }
         }
-        let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || cycle;
+        let lost = block.foreign == UnfollowedCode::Unknown || block.calls.is_some() || cycle;
         let gone = if lost { 7 } else { block.given };
         self.forget(gone);
         // Already reported for the line.
         self.lost &= !gone;
-        self.leaps |= block.jumps
+        self.may_skip_next |= block.jumps
             && line[block.begin..]
                 .get(..2)
                 .is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
@@ -458,7 +460,7 @@ impl Reader {
                 self.lose(Skip::Jump, self.line);
             } else {
                 self.returned = !leaped && self.conditions == 0;
-                self.turns_off |= self.returned;
+                self.may_leave_sequence |= self.returned;
                 block.ends = true;
             }
         }
@@ -476,13 +478,13 @@ impl Reader {
             self.logs(line, block);
         }
         self.settle(block, before);
-        if block.macros && block.foreign == Foreign::No {
+        if block.macros && block.foreign == UnfollowedCode::No {
             self.macro_call(line, block);
-        } else if block.special && self.pass_by(line, block) {
+        } else if block.needs_reset && self.pass_by(line, block) {
             return;
         }
         self.place_of(block);
-        if let Some(code) = block.calls.filter(|_| block.special) {
+        if let Some(code) = block.calls.filter(|_| block.needs_reset) {
             self.call(code, block);
         }
     }
@@ -511,7 +513,7 @@ impl Reader {
             None => {}
         }
         log.returns |= returns;
-        if block.given != 0 && !block.elsewhere && log.stated.is_none() {
+        if block.given != 0 && !block.axis_words_are_data && log.stated.is_none() {
             log.stated = Some((line, [units, plane, distance]));
         }
         if waits {
@@ -524,10 +526,10 @@ impl Reader {
     #[inline]
     fn place_of(&mut self, block: &mut Block) {
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
-        if block.elsewhere || waits {
+        if block.axis_words_are_data || waits {
             return;
         }
-        if block.twice {
+        if block.conflicting_words {
             count(&mut self.twice, self.line);
         }
         if block.others {
@@ -558,8 +560,8 @@ impl Reader {
 
     /// Text that is not a word: nothing of its line is a move. Returns the start of the next word, unless the line jumps.
     fn unrecognised(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
-        if !block.strange {
-            (block.strange, block.jumps) = (true, jumps(line));
+        if !block.has_unrecognised {
+            (block.has_unrecognised, block.jumps) = (true, jumps(line));
         }
         match line[at].to_ascii_uppercase() {
             axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => {
@@ -591,13 +593,13 @@ impl Reader {
 
     /// Effects of a block whether or not it is followed: feed, saved modes, tool length.
     fn settle(&mut self, block: &Block, before: Modes) {
-        if let Some(feed) = block.feed.filter(|_| !block.feedless) {
+        if let Some(feed) = block.feed.filter(|_| !block.f_is_not_feed) {
             (self.feed, self.states_feed) = (feed * self.modes.scale, true);
         }
-        match block.keeps {
+        match block.mode_change {
             None => {}
-            Some(ModeChange::Forget) => self.kept = None,
-            Some(ModeChange::GiveBack) => self.give_back(),
+            Some(ModeChange::Discard) => self.kept = None,
+            Some(ModeChange::Restore) => self.give_back(),
             Some(ModeChange::Keep { of_subprogram }) => {
                 self.kept = Some(Kept {
                     modes: before,
@@ -613,10 +615,10 @@ impl Reader {
             self.tool = Some(self.next_tool);
             self.frames.change_tool();
         }
-        if let Some(length) = block.lengthens {
+        if let Some(length) = block.changes_tool_length {
             // G43.1 names its axes. Other codes change the length along Z or across the plane, and what G43.1 set.
             let across = 1 << self.modes.plane.unwrap_or_default().axes()[2];
-            let axes = if block.elsewhere && block.given != 0 {
+            let axes = if block.axis_words_are_data && block.given != 0 {
                 block.given
             } else {
                 4 | across | self.long
@@ -625,7 +627,7 @@ impl Reader {
             let (values, added) = match length {
                 Length::Table => (self.frames.table(), false),
                 Length::Nothing => ([0.0; 3], false),
-                Length::Given { added } => (self.values(block), added),
+                Length::AxisWords { added } => (self.values(block), added),
             };
             self.lengthen(axes, values, added);
         }
@@ -760,7 +762,7 @@ impl Reader {
     /// The program may return from a subprogram to a line, or continue below. Both branches meet at that line.
     #[cold]
     pub fn may_leave(&mut self, to: usize) {
-        self.parts(Some(to));
+        self.begin_branch(Some(to));
         self.skipped.count(Skip::Condition, self.line);
     }
 
@@ -776,12 +778,12 @@ impl Reader {
         match way {
             Way::Begins => {
                 self.conditions += 1;
-                self.parts(None);
+                self.begin_branch(None);
             }
-            Way::Branches { otherwise } => self.other_way(otherwise),
+            Way::Branches { otherwise } => self.next_branch(otherwise),
             Way::Ends => {
                 self.conditions = self.conditions.saturating_sub(1);
-                self.meet(None);
+                self.join_branches(None);
             }
             Way::LoopBegins => {
                 if self.loops == 0 {
@@ -790,12 +792,12 @@ impl Reader {
                     self.forget(self.relative);
                 }
                 self.loops += 1;
-                self.parts(None);
+                self.begin_branch(None);
             }
             Way::LoopEnds(axes) => {
                 self.loops = self.loops.saturating_sub(1);
                 self.forget(self.relative | axes);
-                self.meet(None);
+                self.join_branches(None);
             }
             Way::LoopLeft(axes) => self.forget(self.relative | axes),
         }

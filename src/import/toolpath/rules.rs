@@ -156,7 +156,7 @@ pub const RUN_RULES: [&str; 11] = [
 ];
 
 /// Checks every rule on a run that probes; a run without a touch is not checked.
-pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
+pub(super) fn checks_contact(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
     log.writes.sort_by_key(|write| (write.moves, write.line));
     // A program that ignores all contacts has touches nevertheless.
     let all = log.touches.iter().all(|touch| touch.positions);

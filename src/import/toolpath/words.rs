@@ -1,9 +1,9 @@
 //! Effects of words: G codes by their number, positions, and the names of a SINUMERIK.
 
 use crate::control::iso::codes::{Effect, effect};
-use crate::control::iso::lex::{end_of_value, leads, number};
+use crate::control::iso::lex::{end_of_value, is_first_word, number};
 use crate::control::iso::script::Motion;
-use crate::import::toolpath::block::{Block, Foreign, Length, ModeChange, Word};
+use crate::import::toolpath::block::{Block, Length, ModeChange, UnfollowedCode, Word};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::modes::Given;
 use crate::import::toolpath::reader::Reader;
@@ -32,7 +32,7 @@ impl Reader {
         match (letter, word) {
             (b'X'..=b'Z', word) => {
                 let axis = letter - b'X';
-                block.twice |= block.given & (1 << axis) != 0;
+                block.conflicting_words |= block.given & (1 << axis) != 0;
                 block.given |= 1 << axis;
                 match word {
                     Word::Number(x) => block.places[usize::from(axis)] = x,
@@ -43,7 +43,7 @@ impl Reader {
                         } else {
                             &mut block.moved
                         } |= 1 << axis;
-                        block.special = true;
+                        block.needs_reset = true;
                     }
                     Word::Computed => block.computed |= 1 << axis,
                 }
@@ -60,24 +60,24 @@ impl Reader {
             (b'G', Word::Number(x)) => {
                 let foreign = self.code(effect(self.family(), letter, tenths(x)), block);
                 // Whether a G31 probes depends on its other words.
-                if foreign == Foreign::No && block.once == Some(Motion::MayTouch) {
-                    (block.name, block.special) = ([at, end], true);
+                if foreign == UnfollowedCode::No && block.once == Some(Motion::MayTouch) {
+                    (block.name, block.needs_reset) = ([at, end], true);
                 }
                 if foreign > block.foreign {
-                    (block.foreign, block.name, block.special) = (foreign, [at, end], true);
+                    (block.foreign, block.name, block.needs_reset) = (foreign, [at, end], true);
                 }
             }
-            (b'G', _) if block.foreign < Foreign::Computed => {
-                (block.foreign, block.special) = (Foreign::Computed, true);
+            (b'G', _) if block.foreign < UnfollowedCode::Computed => {
+                (block.foreign, block.needs_reset) = (UnfollowedCode::Computed, true);
             }
             (b'M', Word::Number(x)) => {
                 let led = self.code(effect(self.family(), letter, tenths(x)), block);
-                if led != Foreign::No && leads(line, block.begin, at) {
-                    (block.led, block.name, block.special) = (led, [at, end], true);
+                if led != UnfollowedCode::No && is_first_word(line, block.begin, at) {
+                    (block.leading_m_code, block.name, block.needs_reset) = (led, [at, end], true);
                 }
             }
             // A tool's edge has its length from here on.
-            (b'D', _) if self.sinumerik => block.lengthens = Some(Length::Table),
+            (b'D', _) if self.sinumerik => block.changes_tool_length = Some(Length::Table),
             // A subprogram: L100 P2.
             (b'L', _) if self.sinumerik => {
                 self.lose(Skip::Call, self.line);
@@ -181,11 +181,11 @@ impl Reader {
     }
 
     /// Applies the effect of a code. Axis words are a position only under codes that leave them one.
-    fn code(&mut self, effect: Option<Effect>, block: &mut Block) -> Foreign {
+    fn code(&mut self, effect: Option<Effect>, block: &mut Block) -> UnfollowedCode {
         let Some(effect) = effect else {
             // It may run a native macro.
-            self.called_out = true;
-            return Foreign::Unknown;
+            self.called_external = true;
+            return UnfollowedCode::Unknown;
         };
         match effect {
             Effect::Motion(motion) => self.go(motion, block),
@@ -218,46 +218,55 @@ impl Reader {
             Effect::PerMinute(on) => (self.modes.by_other, self.feed) = (!on, f64::NAN),
             Effect::Diameter(on) => self.modes.diameter = on,
             Effect::Dwell => {
-                (block.dwells, block.feedless) =
-                    (true, block.feedless || self.sinumerik || self.heidenhain)
+                (block.dwells, block.f_is_not_feed) = (
+                    true,
+                    block.f_is_not_feed || self.sinumerik || self.heidenhain,
+                )
             }
-            Effect::Setting => (block.elsewhere, block.writes) = (true, true),
+            Effect::Setting => (block.axis_words_are_data, block.writes) = (true, true),
             Effect::Length(counts) => {
-                block.lengthens = Some(if counts {
+                block.changes_tool_length = Some(if counts {
                     Length::Table
                 } else {
                     Length::Nothing
                 });
             }
             Effect::LengthGiven { added } => {
-                (block.elsewhere, block.lengthens) = (true, Some(Length::Given { added }));
+                (block.axis_words_are_data, block.changes_tool_length) =
+                    (true, Some(Length::AxisWords { added }));
             }
             Effect::Tool => {
                 block.changes = true;
                 if self.sinumerik {
-                    block.lengthens = Some(Length::Table);
+                    block.changes_tool_length = Some(Length::Table);
                 }
             }
-            Effect::Elsewhere => block.elsewhere = true,
-            Effect::Shift(shift) => (block.elsewhere, block.shift) = (true, Some(shift)),
+            Effect::Elsewhere => block.axis_words_are_data = true,
+            Effect::Shift(shift) => (block.axis_words_are_data, block.shift) = (true, Some(shift)),
             Effect::Turn(begins) => {
-                (block.elsewhere, block.turns) = (block.elsewhere || begins, Some(begins));
+                (block.axis_words_are_data, block.turns) =
+                    (block.axis_words_are_data || begins, Some(begins));
             }
             Effect::Polar(on) => self.modes.polar = on,
             Effect::Transform { own_axes } => {
-                (block.elsewhere, block.distorts) = (block.elsewhere | own_axes, own_axes);
+                (block.axis_words_are_data, block.distorts) =
+                    (block.axis_words_are_data | own_axes, own_axes);
                 count(&mut self.transformed, self.line);
             }
             Effect::ThereAndBack => {
-                block.elsewhere = true;
+                block.axis_words_are_data = true;
                 self.skipped.count(Skip::Canned, self.line);
             }
             Effect::Macro { takes_feed: true } => {
-                (block.elsewhere, block.feedless, block.macros, block.special) =
-                    (true, true, true, true);
+                (
+                    block.axis_words_are_data,
+                    block.f_is_not_feed,
+                    block.macros,
+                    block.needs_reset,
+                ) = (true, true, true, true);
             }
             Effect::Macro { takes_feed: false } => {
-                block.elsewhere = true;
+                block.axis_words_are_data = true;
                 self.lose(Skip::Canned, self.line);
             }
             Effect::Offset(number) => block.offset = Some(number),
@@ -265,36 +274,36 @@ impl Reader {
             Effect::Machine => block.machine = true,
             Effect::Home => (block.machine, block.home) = (true, true),
             Effect::Keep { of_subprogram } => {
-                block.keeps = Some(ModeChange::Keep { of_subprogram });
+                block.mode_change = Some(ModeChange::Keep { of_subprogram });
             }
-            Effect::Forget => block.keeps = Some(ModeChange::Forget),
-            Effect::GiveBack => block.keeps = Some(ModeChange::GiveBack),
+            Effect::Forget => block.mode_change = Some(ModeChange::Discard),
+            Effect::GiveBack => block.mode_change = Some(ModeChange::Restore),
             Effect::End => block.ends = true,
             Effect::Return => {
                 block.returns = true;
-                return Foreign::Unknown;
+                return UnfollowedCode::Unknown;
             }
             Effect::Call(code) => {
-                (block.calls, block.special) = (Some(code), true);
-                return Foreign::Unknown;
+                (block.calls, block.needs_reset) = (Some(code), true);
+                return UnfollowedCode::Unknown;
             }
             Effect::Contact(motion) => {
                 block.contact = Some(motion);
-                return Foreign::Unknown;
+                return UnfollowedCode::Unknown;
             }
-            Effect::Sets | Effect::Ahead => return Foreign::Sets,
+            Effect::Sets | Effect::Ahead => return UnfollowedCode::Sets,
             Effect::ProbeFeed => {
-                (block.feedless, self.states_feed) = (true, true);
-                return Foreign::Sets;
+                (block.f_is_not_feed, self.states_feed) = (true, true);
+                return UnfollowedCode::Sets;
             }
             Effect::Spindle(on) => block.spindle = Some(on),
             Effect::Exact(_) | Effect::Halt | Effect::Nothing => {}
         }
-        Foreign::No
+        UnfollowedCode::No
     }
 
     fn go(&mut self, motion: Motion, block: &mut Block) {
-        block.twice |= block.motion;
+        block.conflicting_words |= block.motion;
         self.modes.unsure.motion = false;
         (
             self.modes.motion,

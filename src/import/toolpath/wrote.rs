@@ -4,7 +4,7 @@ use crate::control::native::{Call, tool_name};
 use crate::import::toolpath::block::Block;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::frames::{Axes, Frames, Position, Register};
-use crate::import::toolpath::known::Trip;
+use crate::import::toolpath::known::TriggerAt;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::writes::{
     AXES, LENGTH, OFFSET, RADIUS, SHIFT, TABLE, Variable, WEAR, Write,
@@ -179,7 +179,7 @@ impl Reader {
                 let nominal = self
                     .run
                     .as_ref()
-                    .is_some_and(|run| run.feature.is_none() && run.touch == Trip::Unknown);
+                    .is_some_and(|run| run.feature.is_none() && run.touch == TriggerAt::Unknown);
                 self.with_frames(|frames, place| {
                     frames.measured(number, written.axes, nominal, place);
                 });

@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::form::Checker;
 use crate::formula::{ResultDef, Role};
 use crate::num::decimal;
-use crate::part::measured::{Expected, Form, line};
+use crate::part::measured::{Form, MeasurementContext, line};
 use crate::text::text;
 
 /// Largest rounding error: both print four decimals.
@@ -99,7 +99,7 @@ fn renishaw(text: &str, scale: f64) -> impl Iterator<Item = Print<'_>> {
 }
 
 /// Logs of HEIDENHAIN's cycles (`TCHPR421.TXT`).
-fn heidenhain<'t>(text: &'t str, scale: f64, expected: &Expected<'_>) -> Vec<Print<'t>> {
+fn heidenhain<'t>(text: &'t str, scale: f64, expected: &MeasurementContext<'_>) -> Vec<Print<'t>> {
     let lines: Vec<&str> = text.lines().collect();
     let begins: Vec<usize> = (0..lines.len())
         .filter(|i| lines[*i].trim_start().starts_with("Measuring log"))
@@ -181,7 +181,7 @@ fn number(text: &str) -> Option<f64> {
 pub fn as_results<'t>(
     checker: &mut Checker,
     text: &'t str,
-    expected: &Expected<'_>,
+    expected: &MeasurementContext<'_>,
 ) -> Cow<'t, str> {
     let mut prints: Vec<Print<'_>> = Vec::new();
     if text.contains("ACTUAL") {

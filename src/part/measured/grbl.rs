@@ -8,8 +8,8 @@ use crate::form::Checker;
 use crate::geom::Vec3;
 use crate::part::measured::line::Item;
 use crate::part::measured::log::Log;
-use crate::part::measured::offset::{self, Shift};
-use crate::part::measured::{Expected, Measured, Numbered, Stand, reach, stand};
+use crate::part::measured::offset::{self, MachineOffset};
+use crate::part::measured::{EndState, Measured, MeasurementContext, Numbered, end_state, reach};
 use crate::path::MovePurpose;
 use crate::text::text;
 
@@ -19,7 +19,11 @@ const ONE_PLACE: f64 = 1e-4;
 /// An inch in mm.
 const INCH: f64 = 25.4;
 
-pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
+pub fn read(
+    checker: &mut Checker,
+    lines: &[Numbered<'_>],
+    expected: &MeasurementContext<'_>,
+) -> Measured {
     let before = checker.count();
     let mut log = Log::of(checker, lines);
     log.drop_echoes(checker);
@@ -37,13 +41,13 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     };
     say_shift(checker, &shift, scale);
     say_missed(checker, &log, expected);
-    let away = stand::away(&log, &shift, scale, expected);
+    let away = end_state::away(&log, &shift, scale, expected);
     Measured {
         points,
         results: None,
-        stand: Some(Stand {
+        stand: Some(EndState {
             offset: shift.offset,
-            away,
+            reason: away,
         }),
     }
 }
@@ -64,7 +68,7 @@ impl Before {
 }
 
 /// Reports before each touch, in the order of the moves, and after the last one.
-fn positioning(expected: &Expected<'_>) -> Vec<Before> {
+fn positioning(expected: &MeasurementContext<'_>) -> Vec<Before> {
     let path = expected.path;
     let (mut all, mut next) = (
         Vec::with_capacity(path.touches.len() + 1),
@@ -90,7 +94,7 @@ fn positioning(expected: &Expected<'_>) -> Vec<Before> {
 
 /// Removes the reports of positioning moves, if the log has them. They tell which touch comes next: a contact that comes too early belongs to a positioning
 /// move, not to a touch.
-fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_>) {
+fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &MeasurementContext<'_>) {
     let reports: Vec<(usize, bool)> = log
         .touched()
         .map(|(line, place, _)| (line, place.is_some()))
@@ -156,7 +160,7 @@ fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_
 }
 
 /// Checks for one report of each touch. A miss ends a program, so it must be the last one.
-fn check_count(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
+fn check_count(checker: &mut Checker, log: &Log, expected: &MeasurementContext<'_>) {
     let (given, touches) = (log.touches.len(), expected.path.touches.len());
     let miss = log.touched().position(|(_, place, _)| place.is_none());
     if let Some((number, ..)) = miss
@@ -224,9 +228,9 @@ fn inches(checker: &mut Checker, log: &Log) -> Option<bool> {
 fn placed(
     checker: &mut Checker,
     log: &Log,
-    shift: &Shift,
+    shift: &MachineOffset,
     inches: Option<bool>,
-    expected: &Expected<'_>,
+    expected: &MeasurementContext<'_>,
 ) -> Option<(Vec<Option<Vec3>>, f64)> {
     let points = |scale: f64| {
         let mut points = vec![None; expected.path.touches.len()];
@@ -282,7 +286,7 @@ fn placed(
 }
 
 /// Notes the shift by which the reports were converted.
-fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
+fn say_shift(checker: &mut Checker, shift: &MachineOffset, scale: f64) {
     let by = ["X", "Y", "Z"]
         .iter()
         .zip(shift.by.to_array())
@@ -301,7 +305,7 @@ fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
 }
 
 /// Reports touches without contact, and touches that were not made after one.
-fn say_missed(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
+fn say_missed(checker: &mut Checker, log: &Log, expected: &MeasurementContext<'_>) {
     for ((touch, ..), (number, place, _)) in expected.path.searches().zip(log.touched()) {
         if place.is_none() {
             let message = text!(

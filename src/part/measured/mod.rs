@@ -1,6 +1,7 @@
 //! Values measured on a real machine, in any copied form: points, results, or the log of a sender.
 
 mod compared;
+mod end_state;
 mod grbl;
 mod line;
 mod log;
@@ -8,7 +9,6 @@ mod offset;
 mod points;
 mod reach;
 mod results;
-mod stand;
 
 use crate::form::{Checker, Value};
 use crate::geom::Vec3;
@@ -17,7 +17,7 @@ use crate::text::{Text, text};
 
 /// Context that measured values belong to.
 #[derive(Clone, Debug)]
-pub struct Expected<'a> {
+pub struct MeasurementContext<'a> {
     /// Path with the touches.
     pub path: &'a Path,
     /// Radius of the ball, mm.
@@ -35,16 +35,16 @@ pub struct Measured {
     /// Values of the formula's results, if the text gives these instead of touches; mm or degrees.
     pub results: Option<Vec<Option<f64>>>,
     /// Position of the machine, if the log gives it.
-    pub stand: Option<Stand>,
+    pub stand: Option<EndState>,
 }
 
 /// State of the machine after the touches, from a log.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Stand {
+pub struct EndState {
     /// The work offset in which the touches were made, 1 = G54; `None` if the log does not say.
     pub offset: Option<u8>,
     /// Reason to doubt that the machine is at the end of the program; `None` if the log gives none.
-    pub away: Option<Text>,
+    pub reason: Option<Text>,
 }
 
 /// A line of a text with its number, from 1.
@@ -56,7 +56,7 @@ type Numbered<'a> = (usize, &'a str);
 /// - a log with grbl's `[PRB:x,y,z:1]`, in machine coordinates, and with the work offset.
 ///
 /// Every problem is reported at `measured` or `measured[i]`. A text with two forms is refused: a choice would be a guess.
-pub fn read(checker: &mut Checker, value: &Value, expected: &Expected<'_>) -> Measured {
+pub fn read(checker: &mut Checker, value: &Value, expected: &MeasurementContext<'_>) -> Measured {
     match value {
         Value::List(items) => Measured {
             points: points::list(checker, items),
@@ -75,7 +75,7 @@ pub fn read(checker: &mut Checker, value: &Value, expected: &Expected<'_>) -> Me
 }
 
 /// Reports a wrong number of points, if reading found no fault, and points that their touches cannot have reached.
-pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>) {
+pub fn check(checker: &mut Checker, measured: &Measured, expected: &MeasurementContext<'_>) {
     let (given, touches) = (measured.points.len(), expected.path.touches.len());
     if measured.results.is_none() && given != touches && !checker.failed() {
         let message = text!(
@@ -88,7 +88,7 @@ pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>
     reach::check(checker, &measured.points, expected);
 }
 
-fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
+fn read_text(checker: &mut Checker, text: &str, expected: &MeasurementContext<'_>) -> Measured {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let text = &*compared::as_results(checker, text, expected);
     // A line that starts with # is a comment, unless it is a variable: `#138 = 25.013`.
@@ -160,7 +160,7 @@ enum Form {
 
 impl Form {
     /// `None` for plain numbers, and for a line without a measurement.
-    fn of(text: &str, expected: &Expected<'_>) -> Option<Form> {
+    fn of(text: &str, expected: &MeasurementContext<'_>) -> Option<Form> {
         let bare = line::without_comments(text);
         if bare.contains("PRB:") {
             Some(Form::Log)

@@ -11,7 +11,7 @@ use crate::text::{Text, text};
 
 /// Machine minus work coordinates, and their source. Lengths as the log has them.
 #[derive(Clone, Debug)]
-pub struct Shift {
+pub struct MachineOffset {
     /// Machine minus work coordinates.
     pub by: Vec3,
     /// The report that it comes from, for a message.
@@ -22,13 +22,13 @@ pub struct Shift {
 
 /// Answer to `$#`, each entry with its line.
 #[derive(Clone, Debug, Default)]
-struct Answer {
+struct OffsetReport {
     offsets: [Option<Vec3>; 9],
     added: Option<Vec3>,
     length: Option<Vec3>,
 }
 
-impl Answer {
+impl OffsetReport {
     /// Whether any entry is there.
     fn begun(&self) -> bool {
         self.offsets.iter().any(Option::is_some)
@@ -60,13 +60,13 @@ impl Answer {
 
 /// Evidence collected line by line.
 #[derive(Debug, Default)]
-struct Gathered {
+struct OffsetEvidence {
     active: Option<u8>,
     /// `WCO` during the touches, with its line.
     shift: Option<(Vec3, usize)>,
     /// `WCO` after the last touch.
     late: Option<(Vec3, usize)>,
-    answer: Answer,
+    answer: OffsetReport,
     /// Whether a touch was sent, so that an end sent after it comes after the touch.
     probing: bool,
     /// Whether offsets have changed: later lines give no earlier values.
@@ -76,8 +76,8 @@ struct Gathered {
 }
 
 /// Finds the shift; missing or contradicting values are errors.
-pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Shift> {
-    let gathered = Gathered::of(log)?;
+pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<MachineOffset> {
+    let gathered = OffsetEvidence::of(log)?;
     if let Some(line) = gathered.contradicts {
         let message = text!(
             "Line {line} changes the work offset, or says another one than the lines before it: which one the touches were made in is not clear. Give the log of one run",
@@ -110,7 +110,7 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
             checker.error("work-offset-unclear", "measured", message);
             None
         }
-        (Some((by, line)), _) => Some(Shift {
+        (Some((by, line)), _) => Some(MachineOffset {
             by,
             source: text!("WCO in line {line}", line),
             offset: active,
@@ -120,7 +120,7 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
                 "{offset}, G92 and TLO in the answer to $#",
                 word(active.unwrap_or(1))
             );
-            Some(Shift {
+            Some(MachineOffset {
                 by,
                 source,
                 offset: active,
@@ -133,11 +133,11 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
     }
 }
 
-impl Gathered {
+impl OffsetEvidence {
     /// `None` if a log has no touch.
-    fn of(log: &Log) -> Option<Gathered> {
+    fn of(log: &Log) -> Option<OffsetEvidence> {
         let (first, last) = (*log.touches.first()?, *log.touches.last()?);
-        let mut found = Gathered::default();
+        let mut found = OffsetEvidence::default();
         for (i, (number, item)) in log.items.iter().enumerate() {
             if i < first {
                 found.before(*number, item);
@@ -163,7 +163,7 @@ impl Gathered {
             Item::Probes => self.probing = true,
             Item::Ended if self.probing || self.active == Some(1) => {}
             Item::Ended => (self.active, self.shift) = (None, None),
-            Item::Changes => (self.shift, self.answer) = (None, Answer::default()),
+            Item::Changes => (self.shift, self.answer) = (None, OffsetReport::default()),
             _ => {
                 self.answer.take(item);
             }
@@ -205,7 +205,7 @@ impl Gathered {
 }
 
 /// Missing values, and the remedy.
-fn needed(gathered: &Gathered, active: Option<u8>) -> Text {
+fn needed(gathered: &OffsetEvidence, active: Option<u8>) -> Text {
     match (active, gathered.late) {
         (Some(offset), _) => text!(
             "The touches are in machine coordinates. {offset} was active, but the answer to $# is not complete: paste all of it, with {offset}, G92 and TLO",

@@ -2,12 +2,12 @@
 
 use crate::form::Checker;
 use crate::geom::Vec3;
-use crate::part::measured::Expected;
+use crate::part::measured::MeasurementContext;
 use crate::path::{MovePurpose, Path};
 use crate::text::text;
 
 /// Reports points that their touches cannot have reached.
-pub fn check(checker: &mut Checker, points: &[Option<Vec3>], expected: &Expected<'_>) {
+pub fn check(checker: &mut Checker, points: &[Option<Vec3>], expected: &MeasurementContext<'_>) {
     for (k, away) in out_of_reach(points, expected) {
         let message = text!(
             "Point {point} is {away} from the nominal contact of its touch, out of reach (it searches {search} past it): is it from this job, a ball centre, in order?",
@@ -22,7 +22,7 @@ pub fn check(checker: &mut Checker, points: &[Option<Vec3>], expected: &Expected
 /// Points that their touches cannot have reached: index of the touch, and distance of the point from its nominal contact, mm.
 pub fn out_of_reach<'a>(
     points: &'a [Option<Vec3>],
-    expected: &'a Expected<'_>,
+    expected: &'a MeasurementContext<'_>,
 ) -> impl Iterator<Item = (usize, Vec3)> + use<'a> {
     let path = expected.path;
     points

@@ -4,16 +4,16 @@ use std::borrow::Cow;
 
 use crate::form::Checker;
 use crate::formula::{ResultDef, Unit};
-use crate::part::evaluate::Scatter;
+use crate::part::evaluate::UncertaintySources;
 use crate::part::measured::line;
-use crate::part::measured::{Expected, Measured, Numbered, is_numbers, reach, unclear};
+use crate::part::measured::{Measured, MeasurementContext, Numbered, is_numbers, reach, unclear};
 use crate::text::text;
 
 /// Name of a result in programs.
 type Code = Cow<'static, str>;
 
 /// Names of a formula's results in order, followed by the variables in which native cycles save some.
-fn codes(expected: &Expected<'_>) -> Vec<Code> {
+fn codes(expected: &MeasurementContext<'_>) -> Vec<Code> {
     let formula = &expected.path.formula;
     let variables = expected
         .kept
@@ -28,7 +28,7 @@ fn codes(expected: &Expected<'_>) -> Vec<Code> {
 }
 
 /// The result with this name.
-fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
+fn result_of(name: usize, expected: &MeasurementContext<'_>) -> Option<usize> {
     match name.checked_sub(expected.path.formula.results.len()) {
         None => Some(name),
         Some(variable) => expected.kept.get(variable).map(|(_, result)| *result),
@@ -126,7 +126,7 @@ fn stated<'a>(line: &'a str, codes: &[Code]) -> Vec<Pair<'a>> {
 }
 
 /// Whether a line contains a result of this job.
-pub fn known(line: &str, expected: &Expected<'_>) -> bool {
+pub fn known(line: &str, expected: &MeasurementContext<'_>) -> bool {
     let codes = codes(expected);
     stated(line, &codes)
         .iter()
@@ -134,7 +134,11 @@ pub fn known(line: &str, expected: &Expected<'_>) -> bool {
 }
 
 /// Reads the results of the formula. Derived rows, such as the shift of an offset, may be in the text and are not read.
-pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
+pub fn read(
+    checker: &mut Checker,
+    lines: &[Numbered<'_>],
+    expected: &MeasurementContext<'_>,
+) -> Measured {
     let (defs, codes) = (&expected.path.formula.results, codes(expected));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
     for (i, &(number, line)) in lines.iter().enumerate() {
@@ -205,7 +209,7 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
 fn take(
     checker: &mut Checker,
     (number, pair): (usize, Pair<'_>),
-    (codes, expected): (&[Code], &Expected<'_>),
+    (codes, expected): (&[Code], &MeasurementContext<'_>),
     values: &mut [Option<(f64, usize)>],
 ) {
     let fitting = codes
@@ -288,7 +292,7 @@ fn ends_with(name: &str, code: &str) -> bool {
 /// since it is computed only at the nominal position.
 fn check_reach(
     checker: &mut Checker,
-    expected: &Expected<'_>,
+    expected: &MeasurementContext<'_>,
     results: &[Option<f64>],
     lines: &[Option<(f64, usize)>],
 ) {
@@ -297,7 +301,7 @@ fn check_reach(
     let rows = crate::part::evaluate::stated(
         path,
         expected.radius,
-        Scatter {
+        UncertaintySources {
             repeatability: 1.0,
             runout: None,
         },

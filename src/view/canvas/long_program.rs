@@ -3,7 +3,7 @@
 use super::{DOT, Painter};
 use crate::geom::Vec2;
 use crate::view::camera::Camera;
-use crate::view::plate::within_box;
+use crate::view::label_box::within_box;
 use crate::view::scene::{Line, Scene, Stroke};
 use crate::view::style::{self, Colour};
 

@@ -15,11 +15,11 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use crate::geom::Vec2;
 use crate::view::camera::{AXES_CORNER, Camera, DOWNWARDS};
 use crate::view::display::{Item, Walls};
+use crate::view::label_box::BAND;
 use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
 use crate::view::numbers::Number;
-use crate::view::plate::BAND;
 use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, Stroke};
 use crate::view::style::screen::ARROWS;
@@ -531,7 +531,12 @@ impl Painter {
 
     /// Moves hidden by something, or those that nothing hides.
     fn path(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
-        let lines = || scene.lines.iter().filter(move |line| line.behind == behind);
+        let lines = || {
+            scene
+                .lines
+                .iter()
+                .filter(move |line| line.occluder == behind)
+        };
         // Touches coincide with their retracts: drawn last, they are visible.
         for touches in [false, true] {
             for line in lines().filter(|line| (line.stroke == Stroke::Touch) == touches) {
@@ -583,7 +588,7 @@ impl Painter {
     /// The number of a touch, or of several.
     fn number(&self, number: &Number) {
         let Vec2 { x, y } = number.plate.middle;
-        if number.led {
+        if number.has_leader {
             self.segment(number.contact, number.plate.middle, Colour::Touch, 1.0);
         }
         self.font(BOLD);
@@ -595,7 +600,7 @@ impl Painter {
         }
         self.fill(Colour::Touch);
         c.set_fill_style_str(self.theme.colour(Colour::Background));
-        let _ = c.fill_text(&number.said, x, y);
+        let _ = c.fill_text(&number.label, x, y);
     }
 
     /// A measured ball centre: a square on its tip, a shape that nothing else has.

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use super::{BOLD, LABEL, Painter};
 use crate::geom::Vec2;
 use crate::view::halves;
-use crate::view::layout::{Arc, Placed};
-use crate::view::plate::Plate;
+use crate::view::label_box::LabelBox;
+use crate::view::layout::{AngleArc, PlacedDimension};
 use crate::view::style::{Colour, Pen};
 
 /// Pixels between the name of a dimension and its value.
@@ -21,7 +21,7 @@ fn wide(lit: bool) -> f64 {
 #[derive(Clone, Copy)]
 pub(super) struct Name<'a> {
     pub said: &'a str,
-    pub plate: Plate,
+    pub plate: LabelBox,
     pub lit: bool,
 }
 
@@ -98,7 +98,7 @@ impl Painter {
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
-    pub(super) fn dimension(&self, placed: &Placed<'_>, lit: bool) {
+    pub(super) fn dimension(&self, placed: &PlacedDimension<'_>, lit: bool) {
         for (near, line) in placed.ends.into_iter().zip(placed.line) {
             let beyond = (line - near) / near.distance(line).max(1e-9) * 5.0;
             self.segment(near, line + beyond, Colour::Ball, 0.75);
@@ -111,7 +111,7 @@ impl Painter {
     }
 
     /// An angle: its sides, and its arc with arrow heads.
-    pub(super) fn angle(&self, arc: &Arc<'_>, lit: bool) {
+    pub(super) fn angle(&self, arc: &AngleArc<'_>, lit: bool) {
         let c = &self.context;
         let [first, turn] = arc.angle.turns;
         arc.sides
@@ -139,7 +139,7 @@ impl Painter {
         let wide = |text: &str| c.measure_text(text).map_or(60.0, |m| m.width());
         let placed = |name: &Name<'_>, draw: &dyn Fn()| {
             c.save();
-            let Plate { middle, along, .. } = name.plate;
+            let LabelBox { middle, along, .. } = name.plate;
             let _ = c.transform(along.x, along.y, -along.y, along.x, middle.x, middle.y);
             draw();
             c.restore();

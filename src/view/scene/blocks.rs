@@ -3,7 +3,7 @@
 
 use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Surface, Wall};
-use crate::view::scene::top_faces::{is_upright, topped};
+use crate::view::scene::top_faces::{body_with_top, is_upright};
 use crate::view::walls::strips;
 
 /// Kind of a face of the material.
@@ -138,7 +138,7 @@ fn pieces(path: &Path, towards: Vec3) -> Vec<Piece> {
         path.surfaces
             .iter()
             .enumerate()
-            .filter(|(k, _)| topped(path, *k).is_none())
+            .filter(|(k, _)| body_with_top(path, *k).is_none())
             .map(|(_, surface)| surface)
     };
     let up = path.frame.w;

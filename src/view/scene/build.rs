@@ -2,13 +2,13 @@
 
 use crate::formula::{Operand, RelationDrawing};
 use crate::geom::{Plane, Vec2, Vec3};
-use crate::part::{Run, Stock};
+use crate::part::{PartRun, Stock};
 use crate::path::{
     Feed, Feeds, Move, MovePurpose, Path, ProbeSettings, RelationSegment, Surface, Touch, Wall,
 };
 use crate::view::material::material;
 use crate::view::scene::blocks::blocks;
-use crate::view::scene::top_faces::{Backs, breaks, topped, tops};
+use crate::view::scene::top_faces::{FarSides, body_with_top, breaks, tops};
 use crate::view::scene::{
     Distance, Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, tilted,
 };
@@ -19,7 +19,7 @@ use crate::view::walls::{WallShape, shape, strips};
 pub struct Actual<'a> {
     pub surfaces: &'a [Surface],
     /// Run of the path on those surfaces.
-    pub run: &'a Run,
+    pub run: &'a PartRun,
     /// Actual origin of the feature.
     pub origin: Vec3,
     /// Actual first direction.
@@ -38,7 +38,7 @@ pub fn build(
     actual: &Actual<'_>,
     (view, stock): (Projection, Option<&Stock>),
 ) -> Scene {
-    let look = Look {
+    let look = ViewSetup {
         path,
         setup,
         actual,
@@ -61,13 +61,13 @@ pub fn build(
     let backs = if view == Projection::Isometric && stock.is_some() {
         scene.walls = nearest_last(look.walls(|_, _| None));
         scene.dimensions = tilted(path, setup.plane, view);
-        Backs::default()
+        FarSides::default()
     } else if view == Projection::Isometric {
-        scene.walls = nearest_last(look.walls(topped));
+        scene.walls = nearest_last(look.walls(body_with_top));
         scene.tops = tops(path, spot);
         scene.blocks = blocks(path, look.towards, spot);
         scene.dimensions = tilted(path, setup.plane, view);
-        Backs::of(path, look.towards)
+        FarSides::of(path, look.towards)
     } else {
         // Walls are seen edge-on, and lengths along the picture in true size.
         scene.walls = look
@@ -80,7 +80,7 @@ pub fn build(
         }
         scene.dimensions = drawn(path, setup.plane, view);
         scene.angles = drawn_angles(path, setup.plane, view);
-        Backs::default()
+        FarSides::default()
     };
     scene.lines = look.lines(feeds, &backs);
     scene.touches = look.touches(&backs);
@@ -142,7 +142,7 @@ pub fn between(
                 stroke: stroke(step),
                 rapid: feeds.is_rapid(step.feed),
                 back: false,
-                behind: None,
+                occluder: None,
                 pale: true,
                 index,
             };
@@ -215,7 +215,7 @@ fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
 }
 
 /// Input of the scene with the viewing direction.
-struct Look<'a> {
+struct ViewSetup<'a> {
     path: &'a Path,
     setup: &'a ProbeSettings,
     actual: &'a Actual<'a>,
@@ -226,9 +226,9 @@ struct Look<'a> {
 }
 
 /// A wall and its distance towards the viewer.
-type Standing = (f64, WallShape);
+type WallDepth = (f64, WallShape);
 
-impl Look<'_> {
+impl ViewSetup<'_> {
     fn spot(&self, p: Vec3) -> Vec2 {
         self.view.place(self.setup.plane, p)
     }
@@ -260,7 +260,7 @@ impl Look<'_> {
     }
 
     /// A projected surface. The strips of a round one stay together, to be drawn at once.
-    fn surface(&self, surface: &Surface) -> Vec<Standing> {
+    fn surface(&self, surface: &Surface) -> Vec<WallDepth> {
         match surface {
             Surface::Flat(wall) => vec![(wall.point.dot(self.towards), self.shape(wall))],
             Surface::Unknown => Vec::new(),
@@ -285,7 +285,7 @@ impl Look<'_> {
 
     /// Walls of the actual part, which are the displaced nominal ones, corner for corner; then the nominal ones. `topped` returns the surface whose top side is
     /// above a surface.
-    fn walls(&self, topped: fn(&Path, usize) -> Option<usize>) -> Vec<Standing> {
+    fn walls(&self, topped: fn(&Path, usize) -> Option<usize>) -> Vec<WallDepth> {
         let nominal = &self.path.surfaces;
         let displaced = |(real, nominal): (&Surface, &Surface)| {
             let mut walls = self.surface(real);
@@ -315,7 +315,7 @@ impl Look<'_> {
             walls.iter_mut().for_each(|(_, shape)| shape.top = top);
             walls
         };
-        let mut walls: Vec<Standing> = self
+        let mut walls: Vec<WallDepth> = self
             .actual
             .surfaces
             .iter()
@@ -327,7 +327,7 @@ impl Look<'_> {
     }
 
     /// The moves, and the search past each touch.
-    fn lines(&self, feeds: &Feeds, backs: &Backs) -> Vec<Line> {
+    fn lines(&self, feeds: &Feeds, backs: &FarSides) -> Vec<Line> {
         let mut lines = Vec::new();
         let mut at = self.path.start;
         let up = self.path.frame.w;
@@ -358,7 +358,7 @@ impl Look<'_> {
                     stroke: stroke(step),
                     rapid,
                     back,
-                    behind,
+                    occluder: behind,
                     pale,
                     index,
                 });
@@ -377,7 +377,7 @@ impl Look<'_> {
                     stroke: Stroke::Overtravel,
                     rapid: false,
                     back: false,
-                    behind,
+                    occluder: behind,
                     pale: false,
                     index,
                 });
@@ -387,7 +387,7 @@ impl Look<'_> {
         lines
     }
 
-    fn touches(&self, backs: &Backs) -> Vec<TouchShape> {
+    fn touches(&self, backs: &FarSides) -> Vec<TouchShape> {
         let shape = |(k, touch): (usize, &Touch)| {
             let center = touch.contact(self.setup.radius);
             let ball = self.spot(center);
@@ -432,10 +432,10 @@ fn stroke(step: &Move) -> Stroke {
 }
 
 /// Walls in drawing order, nearer ones later. Transparent ones come last: they veil what is behind them and hide nothing.
-fn nearest_last(all: Vec<Standing>) -> Vec<WallShape> {
-    let mut walls: Vec<Standing> = Vec::new();
+fn nearest_last(all: Vec<WallDepth>) -> Vec<WallShape> {
+    let mut walls: Vec<WallDepth> = Vec::new();
     for wall in all {
-        let lies_behind = |other: &Standing| {
+        let lies_behind = |other: &WallDepth| {
             if other.1.faces == wall.1.faces {
                 other.0 <= wall.0
             } else {

@@ -94,7 +94,7 @@ pub struct Line {
     /// Whether it is a retract.
     pub back: bool,
     /// Top side of the body that hides it.
-    pub behind: Option<usize>,
+    pub occluder: Option<usize>,
     /// Whether it is drawn pale: seen from the top it is high above the part, or it belongs to a cycle that is not active.
     pub pale: bool,
     /// Index of the move in the path.
@@ -135,13 +135,13 @@ pub struct Distance {
 
 /// A dimension in the picture plane.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drawn {
+pub struct DrawnDimension {
     /// Path of the job field with its value.
     pub field: &'static str,
     /// Ends on the part.
     pub ends: [Vec2; 2],
     /// Side of its line.
-    pub aside: Vec2,
+    pub line_side: Vec2,
     /// Whether the other side is as good.
     pub either: bool,
     /// Length, mm.
@@ -206,7 +206,7 @@ pub struct Scene {
     /// Move that collides with the part, and ball centre there: later moves are not reached.
     pub collision: Option<(usize, Vec2)>,
     /// Dimensions of the nominal part that are visible in true length.
-    pub dimensions: Vec<Drawn>,
+    pub dimensions: Vec<DrawnDimension>,
     /// Angles that are visible in true size.
     pub angles: Vec<DrawnAngle>,
     /// Origin of the nominal feature, and its first direction. Only from the top.
@@ -218,7 +218,7 @@ pub struct Scene {
 }
 
 /// Dimensions that a view along an axis shows in true length; a shortened one would mislead.
-pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
+pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnDimension> {
     let seen = |d: Dimension| {
         let long = d.from.distance(d.to);
         let ends = [d.from, d.to].map(|p| view.place(plane, p));
@@ -235,10 +235,10 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         } else {
             side / size
         };
-        Some(Drawn {
+        Some(DrawnDimension {
             field: d.field,
             ends,
-            aside,
+            line_side: aside,
             either,
             length: long,
             on_demand: d.on_demand,
@@ -249,7 +249,7 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
 }
 
 /// Dimensions of a path in an isometric view, along the part as in an isometric drawing. Those that appear with the focus are omitted.
-fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
+fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnDimension> {
     let seen = |d: Dimension| {
         let ends = [d.from, d.to].map(|p| view.place(plane, p));
         let (along, side) = (
@@ -262,10 +262,10 @@ fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         } else {
             side
         };
-        Drawn {
+        DrawnDimension {
             field: d.field,
             ends,
-            aside,
+            line_side: aside,
             either: true,
             length: d.from.distance(d.to),
             on_demand: false,
@@ -353,7 +353,7 @@ impl Scene {
         self.blocks.extend(own.blocks);
         self.material.extend(own.material);
         let line = |line: Line| Line {
-            behind: apart(line.behind),
+            occluder: apart(line.occluder),
             index: line.index + first_move,
             pale: line.pale || pale,
             ..line

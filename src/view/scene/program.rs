@@ -138,7 +138,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
                     stroke,
                     rapid: *kind == RAPID,
                     back: false,
-                    behind: None,
+                    occluder: None,
                     pale: false,
                     index,
                 });

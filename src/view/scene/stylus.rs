@@ -1,12 +1,12 @@
 //! The stylus above its ball, seen from the side.
 
 use crate::geom::{Plane, Vec2};
-use crate::part::Shape;
+use crate::part::StylusShape;
 use crate::view::scene::Projection;
 
 /// Outlines of stylus and probe body about the ball centre, mm, as far as they are known. Empty from the top, where they would hide the ball. The body, which
 /// has no end here, is drawn as high as wide.
-pub fn outlines(shape: &Shape, ball: f64, plane: Plane, view: Projection) -> Vec<[Vec2; 4]> {
+pub fn outlines(shape: &StylusShape, ball: f64, plane: Plane, view: Projection) -> Vec<[Vec2; 4]> {
     let up = view.place(plane, plane.basis()[2]).y;
     let Some(length) = shape.length.filter(|_| view != Projection::Top) else {
         return Vec::new();

@@ -24,7 +24,7 @@ pub enum Face<'a> {
 
 /// First surface of a body that is drawn whole, with a top side: a stud itself, or the first wall of a body with at least two walls and a top side between
 /// them.
-pub(super) fn topped(path: &Path, k: usize) -> Option<usize> {
+pub(super) fn body_with_top(path: &Path, k: usize) -> Option<usize> {
     match &path.surfaces[k] {
         Surface::Round(round) => (!round.hole).then_some(k),
         Surface::Flat(wall) => {
@@ -101,7 +101,7 @@ pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
         }
     };
     (0..path.surfaces.len())
-        .filter(|k| topped(path, *k) == Some(*k))
+        .filter(|k| body_with_top(path, *k) == Some(*k))
         .map(whole)
         .collect()
 }
@@ -157,14 +157,16 @@ fn in_order(corners: Vec<Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
 
 /// Far sides of bodies that are drawn whole, each as a point, the outward direction, and the first surface of its body.
 #[derive(Default)]
-pub(super) struct Backs(Vec<(Vec3, Vec3, usize)>);
+pub(super) struct FarSides(Vec<(Vec3, Vec3, usize)>);
 
-impl Backs {
+impl FarSides {
     #[inline(never)]
     pub(super) fn of(path: &Path, towards: Vec3) -> Self {
         let mut backs = Vec::new();
         for (k, surface) in path.surfaces.iter().enumerate() {
-            let Some(of) = topped(path, k) else { continue };
+            let Some(of) = body_with_top(path, k) else {
+                continue;
+            };
             let mut add = |wall: &Wall| {
                 if wall.normal.dot(towards) < -1e-6 {
                     backs.push((wall.point, wall.normal, of));
@@ -176,7 +178,7 @@ impl Backs {
                 Surface::Unknown => {}
             }
         }
-        Backs(backs)
+        FarSides(backs)
     }
 
     /// Body in front of a line: one wholly beyond a far side hides nothing of it.

@@ -8,8 +8,8 @@ use crate::border::coded::decoded;
 use crate::form::Value;
 use crate::geom::Vec2;
 use crate::job::{self, NumberField};
-use crate::view::layout::Placed;
-use crate::view::plate::Plate;
+use crate::view::label_box::LabelBox;
+use crate::view::layout::PlacedDimension;
 use crate::view::scene::{Projection, Scene};
 use crate::wasm::Last;
 
@@ -19,7 +19,7 @@ impl View {
     /// other field.
     #[wasm_bindgen(js_name = viewOf)]
     pub fn view_of(&self, field: &str) -> Option<String> {
-        let planned = self.held()?.last.planned.in_hand(self.hand);
+        let planned = self.held()?.last.planned.in_hand(self.active_cycle);
         let names = ["top", "front", "side"];
         let now = names
             .into_iter()
@@ -36,7 +36,7 @@ impl View {
     pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
         let layout = self.camera.layout(scene, self.field.as_deref());
-        let near = |plate: &Plate| plate.covers(Vec2::new(x, y), 2.0);
+        let near = |plate: &LabelBox| plate.covers(Vec2::new(x, y), 2.0);
         let dimension = layout
             .dimensions
             .iter()
@@ -99,7 +99,7 @@ impl View {
     /// The end of a line, and its movement: the job itself determines how its dimensions depend on each other, so it is planned with a value a little larger,
     /// or smaller if that has errors.
     fn end_of(&self, job: &Value, path: &str, end: usize, at: Vec2) -> Option<End> {
-        let field = NumberField::of(job, path, self.hand)?;
+        let field = NumberField::of(job, path, self.active_cycle)?;
         let line = |scene: &Scene| {
             let layout = self.camera.layout(scene, self.field.as_deref());
             layout
@@ -113,7 +113,7 @@ impl View {
             let planned = job::planned(&job::with_number(
                 job,
                 path,
-                self.hand,
+                self.active_cycle,
                 field.value + change,
             ))?;
             let other = self.build(Last::of_none(planned));
@@ -126,7 +126,7 @@ impl View {
     }
 
     fn lines_of(&self, scene: &Scene) -> Array {
-        let list = |placed: Placed<'_>| {
+        let list = |placed: PlacedDimension<'_>| {
             let list = Array::of1(&JsValue::from_str(placed.drawn.field));
             for x in placed.line.iter().flat_map(|end| end.to_array()) {
                 list.push(&JsValue::from_f64(x));

@@ -3,9 +3,9 @@
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::{Shown, View};
+use super::{ShownScene, View};
 use crate::geom::{Rigid, Vec2, Vec3};
-use crate::job::Planned;
+use crate::job::PlannedJob;
 use crate::view::canvas::{spread_handles, turning};
 use crate::wasm::set;
 
@@ -38,7 +38,7 @@ impl View {
             .held()?
             .last
             .planned
-            .in_hand(self.hand)
+            .in_hand(self.active_cycle)
             .path
             .feature
             .two_circles()?
@@ -79,7 +79,7 @@ impl View {
         };
         let spot = self.camera.spot(Vec2::new(x, y));
         let [a, o, _] = held.plane.axes();
-        let Planned { job, path, .. } = held.last.planned.in_hand(self.hand);
+        let PlannedJob { job, path, .. } = held.last.planned.in_hand(self.active_cycle);
         let (mut offset, mut turn) = (job.placement.rigid.point(Vec3::ZERO), job.placement.turn);
         let place = |offset: Vec3, turn: f64| {
             Rigid::new(held.plane, offset, turn.to_radians()).point(path.frame.origin)
@@ -112,7 +112,8 @@ impl View {
     /// Handles and their pixels, upper ones first.
     fn handles(&self) -> Vec<(&'static str, Vec2)> {
         let mut handles = Vec::new();
-        let Some(Shown { scene, .. }) = self.shown.as_ref().filter(|_| !self.painter.still) else {
+        let Some(ShownScene { scene, .. }) = self.shown.as_ref().filter(|_| !self.painter.still)
+        else {
             return handles;
         };
         if let Some([start, sweep]) = spread_handles(scene, &self.camera) {

@@ -29,7 +29,7 @@ pub struct View {
     over: Option<Painter>,
     projection: Projection,
     camera: Camera,
-    shown: Option<Shown>,
+    shown: Option<ShownScene>,
     highlight: Option<usize>,
     /// Fraction of the highlighted move that is done, 0 to 1.
     part: f64,
@@ -51,14 +51,14 @@ pub struct View {
     /// The dragged end of a dimension line.
     end: Option<dimensions::End>,
     /// Index of the active cycle of a set-up.
-    hand: usize,
+    active_cycle: usize,
     /// Pending changes for `render`; `None` if every change is drawn immediately.
-    due: Option<Cell<Due>>,
+    due: Option<Cell<Redraw>>,
 }
 
 /// Changes since the picture was drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-enum Due {
+enum Redraw {
     #[default]
     Nothing,
     /// The highlighted move, which is drawn on its own canvas.
@@ -67,12 +67,12 @@ enum Due {
 }
 
 #[derive(Debug)]
-struct Shown {
+struct ShownScene {
     scene: Scene,
     content: Content,
 }
 
-impl Shown {
+impl ShownScene {
     /// Whether the part is displaced, or has other sizes.
     fn deviates(&self) -> bool {
         match &self.content {
@@ -100,13 +100,13 @@ fn moves_of(path: &Toolpath) -> Moves<'_> {
 /// Content of a scene.
 #[derive(Debug)]
 enum Content {
-    Job(Box<Held>),
+    Job(Box<JobContent>),
     Program(Rc<Toolpath>, Option<Feature>),
 }
 
 /// The shown job.
 #[derive(Debug)]
-struct Held {
+struct JobContent {
     last: Rc<Last>,
     deviates: bool,
     plane: Plane,
@@ -145,7 +145,7 @@ impl View {
             moved: false,
             held: false,
             end: None,
-            hand: 0,
+            active_cycle: 0,
             due: None,
         })
     }
@@ -179,11 +179,11 @@ impl View {
         match self
             .due
             .as_ref()
-            .map_or(Due::Nothing, |due| due.replace(Due::Nothing))
+            .map_or(Redraw::Nothing, |due| due.replace(Redraw::Nothing))
         {
-            Due::Nothing => {}
-            Due::Lit => self.paint_lit(),
-            Due::All => self.paint_all(),
+            Redraw::Nothing => {}
+            Redraw::Lit => self.paint_lit(),
+            Redraw::All => self.paint_all(),
         }
     }
 
@@ -224,7 +224,7 @@ impl View {
     /// Sets the active cycle of the next set-up by its index: its dimensions are drawn, and the other cycles are pale.
     #[wasm_bindgen(js_name = setHand)]
     pub fn set_hand(&mut self, index: usize) {
-        self.hand = index;
+        self.active_cycle = index;
     }
 
     /// Shows an encoded job. One with errors leaves the picture unchanged and returns `false`.
@@ -399,7 +399,7 @@ impl View {
         let picture = held
             .last
             .planned
-            .picture(self.projection, 1.0, Some(self.hand));
+            .picture(self.projection, 1.0, Some(self.active_cycle));
         Some(crate::view::svg(
             &picture.scene,
             &Legend {
@@ -459,7 +459,7 @@ impl View {
         });
     }
 
-    fn build(&self, last: Rc<Last>) -> Shown {
+    fn build(&self, last: Rc<Last>) -> ShownScene {
         let job::Picture {
             mut scene,
             mut names,
@@ -467,7 +467,7 @@ impl View {
             deviates,
         } = last
             .planned
-            .picture(self.projection, self.magnified, Some(self.hand));
+            .picture(self.projection, self.magnified, Some(self.active_cycle));
         if !self.labels.is_empty() {
             let label = |field: &str| {
                 self.labels
@@ -475,7 +475,7 @@ impl View {
                     .find(|(known, _)| known == field)
                     .map(|(_, label)| label.as_str())
             };
-            names = last.planned.in_hand(self.hand).names(&scene, label);
+            names = last.planned.in_hand(self.active_cycle).names(&scene, label);
         }
         if self.comma {
             names
@@ -484,9 +484,9 @@ impl View {
         }
         scene.name(&names);
         let plane = last.planned.job.setup.plane;
-        Shown {
+        ShownScene {
             scene,
-            content: Content::Job(Box::new(Held {
+            content: Content::Job(Box::new(JobContent {
                 deviates,
                 plane,
                 names,
@@ -496,21 +496,21 @@ impl View {
         }
     }
 
-    fn of_program(&self, path: Rc<Toolpath>, part: Option<Feature>) -> Shown {
+    fn of_program(&self, path: Rc<Toolpath>, part: Option<Feature>) -> ShownScene {
         let mut scene = program::scene(&moves_of(&path), self.projection);
         if let Some(part) = &part {
             let seen = part.picture(self.projection).scene;
             (scene.walls, scene.tops, scene.blocks, scene.material) =
                 (seen.walls, seen.tops, seen.blocks, seen.material);
         }
-        Shown {
+        ShownScene {
             scene,
             content: Content::Program(path, part),
         }
     }
 
     /// The shown job, if there is one.
-    fn held(&self) -> Option<&Held> {
+    fn held(&self) -> Option<&JobContent> {
         match &self.shown.as_ref()?.content {
             Content::Job(held) => Some(held),
             Content::Program(..) => None,
@@ -529,7 +529,7 @@ impl View {
 
     fn draw(&self) {
         match &self.due {
-            Some(due) => due.set(Due::All),
+            Some(due) => due.set(Redraw::All),
             None => self.paint_all(),
         }
     }
@@ -538,8 +538,8 @@ impl View {
     fn light(&self) {
         match &self.due {
             _ if self.over.is_none() => self.draw(),
-            Some(due) if due.get() == Due::All => {}
-            Some(due) => due.set(Due::Lit),
+            Some(due) if due.get() == Redraw::All => {}
+            Some(due) => due.set(Redraw::Lit),
             None => self.paint_lit(),
         }
     }
@@ -548,7 +548,7 @@ impl View {
         if let Some(shown) = &self.shown {
             let held = self.held();
             // Each from the position at which its touch should have triggered.
-            let seen = |held: &Held, (k, p): &(usize, Vec3)| {
+            let seen = |held: &JobContent, (k, p): &(usize, Vec3)| {
                 let real = self
                     .projection
                     .place(held.plane, *p * held.last.planned.job.scale);

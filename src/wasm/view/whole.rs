@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::View;
 use crate::border::coded::decoded;
 use crate::geom::{Plane, Vec2};
-use crate::import::toolpath::{Known, LONGEST_PROGRAM};
+use crate::import::toolpath::{LONGEST_PROGRAM, RunInputs};
 use crate::import::{Toolpath, fits, read_program};
 use crate::job;
 use crate::view::camera::Camera;
@@ -29,7 +29,7 @@ impl View {
     #[wasm_bindgen(js_name = showRunCoded)]
     pub fn show_run(&mut self, run: &JsValue, codes: &[f64], known: &str) {
         let value = decoded(codes, known);
-        if let (Some(mut path), Ok(known)) = (path_of(run), Known::of(&value)) {
+        if let (Some(mut path), Ok(known)) = (path_of(run), RunInputs::of(&value)) {
             path.start = known.start.unwrap_or([f64::NAN; 3]);
             self.show_moves(path, known.feature);
         }

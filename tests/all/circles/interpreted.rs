@@ -56,7 +56,7 @@ fn linuxcnc_runs_the_cycle() {
             .collect();
         let repeats = ends.len() / (2 * number_at(&job, "cycle.probePoints", 4.0) as usize);
         // Evaluated by the crate: the points the probe ended at, straight from the interpreter.
-        let touchpath::job::Planned {
+        let touchpath::job::PlannedJob {
             job: checked, path, ..
         } = touchpath::job::planned(&job).unwrap();
         let scale = checked.scale;
@@ -67,7 +67,7 @@ fn linuxcnc_runs_the_cycle() {
         let rows = touchpath::part::evaluate(
             &path,
             &triggers,
-            touchpath::part::Scatter {
+            touchpath::part::UncertaintySources {
                 repeatability: 0.001,
                 runout: None,
             },

@@ -10,13 +10,13 @@ use touchpath::path::FeatureKind;
 fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     // Rows of the table alone: a program of moves states its modes and ends.
     if matches!(def.probes, FeatureKind::Switch | FeatureKind::Action) {
-        return match ProgramForm::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
+        return match ProgramForm::ALL.map(|form| (post.supports)(def.probes, form).is_ok()) {
             [_, true] => "own cycle",
             [true, false] => "table only",
             [false, false] => "–",
         };
     }
-    match ProgramForm::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
+    match ProgramForm::ALL.map(|form| (post.supports)(def.probes, form).is_ok()) {
         [true, true] => "moves, own cycle",
         [true, false] => "moves",
         [false, true] => "own cycle",
@@ -65,7 +65,7 @@ pub fn page() -> String {
     let moves = |post: &PostDef| {
         CYCLES
             .iter()
-            .any(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
+            .any(|def| (post.supports)(def.probes, ProgramForm::Moves).is_ok())
     };
     let by = |post: &PostDef, is: bool| {
         if moves(post) {
@@ -92,7 +92,7 @@ pub fn page() -> String {
             post.key,
             post.extension,
             &offsets,
-            by(post, post.watches),
+            by(post, post.watches_positioning),
             by(post, post.computes),
         ];
         writeln!(
@@ -118,7 +118,7 @@ pub fn page() -> String {
             .iter()
             .flat_map(|def| ProgramForm::ALL.map(|form| (def, form)))
         {
-            let Err(why) = (post.serves)(def.probes, form) else {
+            let Err(why) = (post.supports)(def.probes, form) else {
                 continue;
             };
             let what = if form == ProgramForm::Moves {
@@ -152,7 +152,7 @@ pub fn page() -> String {
         let cannot: Vec<String> = POSTS
             .iter()
             .flat_map(|post| {
-                post.cannot
+                post.unsupported_rules
                     .iter()
                     .filter(|(name, _)| *name == rule.name)
                     .map(move |(_, why)| {
@@ -160,12 +160,16 @@ pub fn page() -> String {
                     })
             })
             .collect();
-        let job = if rule.must { "" } else { " (as the job asks)" };
+        let job = if rule.mandatory {
+            ""
+        } else {
+            " (as the job asks)"
+        };
         writeln!(
             text,
             "| `{}`{job} | {} | {} | {} |",
             rule.name,
-            rule.says,
+            rule.requirement,
             rule.why,
             cannot.join("; ")
         )

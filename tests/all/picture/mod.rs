@@ -335,7 +335,7 @@ fn what_is_behind_the_part_is_drawn_before_it() {
                     .lines
                     .iter()
                     .filter(of)
-                    .all(|line| line.behind == touch.behind),
+                    .all(|line| line.occluder == touch.behind),
                 "{cycle}: touch {}",
                 k + 1
             );

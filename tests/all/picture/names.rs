@@ -118,17 +118,17 @@ fn each_number_stands_beside_its_contact_and_none_on_another() {
             assert!(
                 dx.hypot(dy) < 4.0 * radius + 9.0 + ball,
                 "{said}: {} is {dx} {dy} off",
-                number.said
+                number.label
             );
             assert!(
-                number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0 + ball,
+                number.has_leader || dx.hypot(dy) < number.plate.half[0] + radius + 9.0 + ball,
                 "{said}: a line leads to {}",
-                number.said
+                number.label
             );
             assert!(
                 !number.plate.covers(number.contact, 3.0),
                 "{said}: {} is on its contact",
-                number.said
+                number.label
             );
             let met = numbers[..k]
                 .iter()
@@ -136,11 +136,11 @@ fn each_number_stands_beside_its_contact_and_none_on_another() {
             assert!(
                 met.is_none(),
                 "{said}: {} is on {}",
-                number.said,
-                met.map_or("", |other| &other.said)
+                number.label,
+                met.map_or("", |other| &other.label)
             );
             let together: Vec<_> = number.touches.iter().map(|k| (k + 1).to_string()).collect();
-            assert_eq!(number.said, together.join("·"));
+            assert_eq!(number.label, together.join("·"));
             shared += usize::from(number.touches.len() > 1);
             seen += 1;
         }

@@ -8,7 +8,7 @@ use touchpath::control::safety::RULES;
 use touchpath::control::{ORIENT, POSTS, ProgramForm, WRITE_OFFSET};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
-use touchpath::job::{Plan, SafetyRow, default_job, examine, plan};
+use touchpath::job::{Plan, SafetyRow, check_program, default_job, plan};
 
 fn text(text: &str) -> Value {
     Value::Text(text.to_owned())
@@ -32,7 +32,7 @@ fn job_for(cycle: &str, post: &str, form: ProgramForm, offset: bool) -> Value {
 }
 
 fn judged(job: &Value, program: &str) -> Result<Vec<SafetyRow>, String> {
-    examine(job, program)
+    check_program(job, program)
         .expect("a sound job")
         .map_err(|faults| format!("{faults:?}"))
 }
@@ -52,10 +52,10 @@ fn every_rule_holds_for_every_control_and_cycle() {
         for def in CYCLES {
             for form in ProgramForm::ALL
                 .into_iter()
-                .filter(|form| (post.serves)(def.probes, *form).is_ok())
+                .filter(|form| (post.supports)(def.probes, *form).is_ok())
             {
                 // Cycle 1411 corrects the active preset itself.
-                let itself = form == ProgramForm::Cycle && (post.own_preset)(def.probes);
+                let itself = form == ProgramForm::Cycle && (post.cycle_sets_preset)(def.probes);
                 let takes = post.work_offsets > 0 && !itself;
                 for offset in [false, true].into_iter().filter(|offset| !offset || takes) {
                     // The one of its cycles that lifts between the walls of a groove writes.
@@ -86,7 +86,10 @@ fn every_rule_holds_for_every_control_and_cycle() {
                         assert_eq!(proof.arithmetic, post.computes);
                     }
                     for row in &plan.safety {
-                        let cannot = post.cannot.iter().find(|(rule, _)| *rule == row.rule);
+                        let cannot = post
+                            .unsupported_rules
+                            .iter()
+                            .find(|(rule, _)| *rule == row.rule);
                         match row.holds {
                             Some(holds) => {
                                 assert!(
@@ -121,7 +124,7 @@ fn a_rule_names_the_lines_that_it_was_asked_of() {
     for post in POSTS {
         for def in CYCLES
             .iter()
-            .filter(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
+            .filter(|def| (post.supports)(def.probes, ProgramForm::Moves).is_ok())
         {
             let plan = plan(&job_for(
                 def.key,
@@ -215,7 +218,7 @@ fn what_a_program_writes_is_in_its_blocks() {
     for post in POSTS {
         for def in CYCLES
             .iter()
-            .filter(|def| (post.serves)(def.probes, ProgramForm::Moves).is_ok())
+            .filter(|def| (post.supports)(def.probes, ProgramForm::Moves).is_ok())
         {
             for offset in [false, true] {
                 let plan = plan(&job_for(
@@ -266,7 +269,7 @@ fn what_a_program_writes_is_in_its_blocks() {
 fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
     for rule in RULES {
         assert!(
-            rule.says.len() > 20 && rule.why.ends_with('.'),
+            rule.requirement.len() > 20 && rule.why.ends_with('.'),
             "{}",
             rule.name
         );
@@ -278,7 +281,7 @@ fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
             rule.name
         );
     }
-    for (what, why) in POSTS.iter().flat_map(|post| post.cannot) {
+    for (what, why) in POSTS.iter().flat_map(|post| post.unsupported_rules) {
         let rule = RULES.iter().any(|known| known.name == *what);
         let other = [ORIENT, WRITE_OFFSET].contains(what);
         assert!((rule || other) && why.len() > 20, "{what}");
@@ -719,7 +722,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
         );
         assert_ne!(
             row.message,
-            RULES.iter().find(|r| r.name == *rule).unwrap().says
+            RULES.iter().find(|r| r.name == *rule).unwrap().requirement
         );
     }
 }

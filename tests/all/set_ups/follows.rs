@@ -502,7 +502,7 @@ fn a_chain_whose_first_question_is_one_sided_breaks_the_rule() {
         ("[ABS[#<c1_center_x>-60] GT 1]", "[#<c1_center_x> LT 59]"),
     ] {
         assert!(program.contains(sure), "{sure}");
-        let rows = touchpath::job::examine(&job(text), &program.replacen(sure, bare, 1))
+        let rows = touchpath::job::check_program(&job(text), &program.replacen(sure, bare, 1))
             .unwrap()
             .unwrap();
         let row = rows

@@ -4,13 +4,15 @@ use super::*;
 use crate::common::with;
 use proptest::prelude::*;
 use touchpath::form::Value;
-use touchpath::import::toolpath::{DIALECTS, Feature, Known, RUN_RULES, Trip, run_program};
+use touchpath::import::toolpath::{
+    DIALECTS, Feature, RUN_RULES, RunInputs, TriggerAt, run_program,
+};
 
-fn met(at: f64) -> Known<'static> {
-    Known {
-        touch: Trip::At(at),
-        positioning: Trip::Never,
-        ..Known::default()
+fn met(at: f64) -> RunInputs<'static> {
+    RunInputs {
+        touch: TriggerAt::At(at),
+        positioning: TriggerAt::Never,
+        ..RunInputs::default()
     }
 }
 
@@ -38,7 +40,7 @@ fn every_program_that_is_made_here_runs_as_its_plan() {
         }
         let run = run_program(
             &plan.program.text,
-            &Known {
+            &RunInputs {
                 start: start(&job),
                 ..met(0.9)
             },
@@ -117,7 +119,7 @@ fn the_rules_of_a_run_agree_with_those_of_the_proof() {
         }
         // With contacts, and as a text of which nothing is known.
         let runs =
-            [met(0.9), Known::default()].map(|known| run_program(&plan.program.text, &known));
+            [met(0.9), RunInputs::default()].map(|known| run_program(&plan.program.text, &known));
         assert!(
             runs.iter().all(|run| run.rules.len() == RUN_RULES.len()),
             "{name}"
@@ -161,7 +163,7 @@ fn a_place_that_was_kept_is_asked_by_its_name() {
         )
     };
     let broken = |ask: &str| -> Vec<&'static str> {
-        let run = run_program(&program(ask), &Known::default());
+        let run = run_program(&program(ask), &RunInputs::default());
         run.rules
             .iter()
             .filter(|rule| rule.holds == Some(false))
@@ -207,7 +209,7 @@ fn a_rule_names_the_lines_that_break_it() {
     let broken = |text: &str| {
         let run = run_program(
             text,
-            &Known {
+            &RunInputs {
                 start: Some([0.0, 0.0, 20.0]),
                 ..met(0.5)
             },
@@ -279,7 +281,7 @@ fn a_rule_names_the_lines_that_break_it() {
         Vec::<String>::new()
     );
     assert!(
-        run_program("G21 G90\nG0 X1\nM2\n", &Known::default())
+        run_program("G21 G90\nG0 X1\nM2\n", &RunInputs::default())
             .rules
             .is_empty()
     );
@@ -291,7 +293,7 @@ fn what_is_known_is_checked() {
     let json = r##"{ "dialect": "apt", "set": { "#5": "x", "5": 1, "R1": 2 }, "start": [1, 2], "part": { "at": 2, "positioning": null }, "files": { "a": 5 }, "more": 1 }"##;
     let value =
         touchpath::form::Value::from(&serde_json::from_str::<serde_json::Value>(json).unwrap());
-    let error = Known::of(&value).unwrap_err();
+    let error = RunInputs::of(&value).unwrap_err();
     let found: Vec<(&str, &str)> = error
         .findings
         .iter()
@@ -315,7 +317,7 @@ fn what_is_known_is_checked() {
 #[test]
 fn a_position_is_one_of_the_active_system() {
     let last = |text: &str| {
-        let known = Known {
+        let known = RunInputs {
             start: Some([0.0; 3]),
             ..met(0.5)
         };
@@ -388,11 +390,11 @@ fn positions_in_moved_systems_are_those_of_the_interpreter() {
         }
         text.push_str("G0 X0 Y0 Z0\nM2\n");
         let ran = interpret(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
-        let known = Known {
+        let known = RunInputs {
             start: Some([0.0; 3]),
             post: Some("linuxcnc"),
             zero: true,
-            ..Known::default()
+            ..RunInputs::default()
         };
         let run = run_program(&text, &known);
         assert_eq!(run.len(), ran.moves.len(), "{text}");
@@ -438,10 +440,10 @@ fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
             {
                 continue;
             }
-            let known = Known {
+            let known = RunInputs {
                 feature: Feature::of(&job),
                 start: Some(plan.moves[0].to),
-                ..Known::default()
+                ..RunInputs::default()
             };
             let run = run_program(&plan.program.text, &known);
             let scale = planned.job.scale;
@@ -570,13 +572,13 @@ proptest! {
     ) {
         let lines: Vec<&str> = picks.iter().map(|pick| LINES[*pick]).collect();
         let text = lines.join("\n");
-        let trip = [Trip::Unknown, Trip::At(0.5), Trip::Never][trip];
-        let known = Known {
+        let trip = [TriggerAt::Unknown, TriggerAt::At(0.5), TriggerAt::Never][trip];
+        let known = RunInputs {
             dialect: (dialect < 3).then(|| DIALECTS[dialect]),
             touch: trip,
             set: vec![("#1", 2.0), ("R1", 1.0), ("Q1", 1.0)],
             files: if file { vec![("b", "o1 sub\nG38.3 X9 F9\no1 endsub\n")] } else { Vec::new() },
-            ..Known::default()
+            ..RunInputs::default()
         };
         let run = run_program(&text, &known);
         prop_assert!(run.to.len() == 3 * run.len() && run.feed.len() == run.len() && run.line.len() == run.len());

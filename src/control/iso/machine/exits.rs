@@ -1,8 +1,8 @@
 //! Follows the program after an unexpected contact, a miss or a deflected probe: to an error exit, or onward.
 
-use super::{Flow, Machine, Run, State};
-use crate::control::iso::script::{BlockKind, Motion, Script, Trouble};
-use crate::control::trace::{Ending, Place};
+use super::{BlockEffect, Machine, Run, State};
+use crate::control::iso::script::{BlockKind, Motion, ReadError, Script};
+use crate::control::trace::{Place, ProbeConsequence};
 
 /// Largest number of blocks followed after the unexpected outcome of a probing move: an exit is short.
 const LONGEST_EXIT: usize = 200;
@@ -22,7 +22,7 @@ enum Probe {
 }
 
 /// Consequence for a program that starts with a deflected probe: followed to its first probing move and from there on.
-pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
+pub fn deflected(script: &Script<'_>, run: Run) -> Result<ProbeConsequence, ReadError> {
     let mut machine = Machine::new(
         script,
         Run {
@@ -48,8 +48,8 @@ impl Machine<'_, '_> {
         to: Place,
         met: Option<(Place, Place)>,
         scratch: &mut State,
-    ) -> Result<Ending, Trouble> {
-        scratch.become_like(&self.state);
+    ) -> Result<ProbeConsequence, ReadError> {
+        scratch.copy_from(&self.state);
         let written = self.slots.mark();
         self.arrive(to, met);
         let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::Free);
@@ -59,7 +59,7 @@ impl Machine<'_, '_> {
     }
 
     /// Consequence from the last motion on, which was not watched, if the probe is still deflected.
-    pub(super) fn still_deflected(&mut self) -> Result<Ending, Trouble> {
+    pub(super) fn still_deflected(&mut self) -> Result<ProbeConsequence, ReadError> {
         let written = self.unwatched.1.written;
         let redo = self.slots.undo(written);
         std::mem::swap(&mut self.state, &mut self.unwatched.1);
@@ -82,7 +82,7 @@ impl Machine<'_, '_> {
         most_moves: usize,
         most_blocks: usize,
         probe: Probe,
-    ) -> Result<Ending, Trouble> {
+    ) -> Result<ProbeConsequence, ReadError> {
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
         let (deflected, mut probes) = (probe != Probe::Free, 0);
         let mut computed = 0;
@@ -96,45 +96,47 @@ impl Machine<'_, '_> {
             }
             let flow = match self.step() {
                 // A refused block may continue: the control does not stop.
-                Err(_) if self.refused.take() => return Ok(Ending::GoesOn),
+                Err(_) if self.refused.take() => return Ok(ProbeConsequence::Continues),
                 flow => flow?,
             };
             match flow {
-                Flow::Next | Flow::Output(..) => {}
-                Flow::Wrote(..) => writes = true,
+                BlockEffect::Next | BlockEffect::Output(..) => {}
+                BlockEffect::Wrote(..) => writes = true,
                 // The program ends before another move.
-                Flow::End if self.in_contact() && moves == 0 => return Ok(Ending::ControlStops),
-                Flow::Native | Flow::End => return Ok(Ending::GoesOn),
-                Flow::Alarm if !self.run.strict && computed >= COMPUTES => {
-                    return Ok(Ending::GoesOn);
+                BlockEffect::End if self.in_contact() && moves == 0 => {
+                    return Ok(ProbeConsequence::ControlStops);
                 }
-                Flow::Alarm => {
-                    return Ok(Ending::Exit {
+                BlockEffect::Native | BlockEffect::End => return Ok(ProbeConsequence::Continues),
+                BlockEffect::Alarm if !self.run.strict && computed >= COMPUTES => {
+                    return Ok(ProbeConsequence::Continues);
+                }
+                BlockEffect::Alarm => {
+                    return Ok(ProbeConsequence::Exit {
                         line,
                         lifts,
-                        strays,
+                        moves_sideways: strays,
                         writes,
                     });
                 }
-                Flow::Moved(words, motion) => {
+                BlockEffect::Moved(words, motion) => {
                     let from = self.state.at;
                     // An exit moves in the modes of the program.
                     strays |= self.first.is_some_and(|first| first != self.state.modes);
                     let step = self.motion(line, words, motion)?;
                     if self.refused.take() {
-                        return Ok(Ending::GoesOn);
+                        return Ok(ProbeConsequence::Continues);
                     }
                     let up = self.tool_axis();
                     self.state.ahead = self.runs_on(motion);
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => {
-                            return Ok(Ending::ControlStops);
+                            return Ok(ProbeConsequence::ControlStops);
                         }
                         Motion::MayTouch if deflected && self.script.begins_free => {
-                            return Ok(Ending::ControlStops);
+                            return Ok(ProbeConsequence::ControlStops);
                         }
                         Motion::MustTouch | Motion::MayTouch if self.in_contact() && moves == 0 => {
-                            return Ok(Ending::ControlStops);
+                            return Ok(ProbeConsequence::ControlStops);
                         }
                         // A deflected probe ends every probing move at its start, or is not noticed: then the move is made.
                         Motion::MayTouch
@@ -144,7 +146,7 @@ impl Machine<'_, '_> {
                             probes += 1;
                         }
                         Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => {
-                            return Ok(Ending::GoesOn);
+                            return Ok(ProbeConsequence::Continues);
                         }
                         Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
                             moves += 1;
@@ -159,7 +161,7 @@ impl Machine<'_, '_> {
                                     || step.to[up] > self.run.highest;
                             }
                             if moves > most_moves {
-                                return Ok(Ending::GoesOn);
+                                return Ok(ProbeConsequence::Continues);
                             }
                             self.state.at = step.to;
                         }
@@ -167,6 +169,6 @@ impl Machine<'_, '_> {
                 }
             }
         }
-        Ok(Ending::GoesOn)
+        Ok(ProbeConsequence::Continues)
     }
 }

@@ -6,15 +6,15 @@ mod tail;
 mod values;
 
 pub use exits::deflected;
-use slots::{Mark, Slots};
-pub use tail::{Endings, Outcome, Tail, restarted};
+use slots::{VariableStore, WriteMark};
+pub use tail::{ResultCheckpoint, TailOutcome, TailRunner, restarted};
 
 use std::cell::{Cell, OnceCell};
 
 use crate::control::iso::script::{
-    Ahead, Block, BlockKind, Modes, Motion, NodeId, Part, Script, Slot, Trouble, Words,
+    Block, BlockKind, LookAhead, Modes, Motion, NodeId, Part, ReadError, Script, Slot, Words,
 };
-use crate::control::trace::{Ending, Kind, Place, Step, Trace};
+use crate::control::trace::{Kind, Place, ProbeConsequence, Step, Trace};
 use crate::geom::Plane;
 use crate::text::{Text, text};
 
@@ -32,9 +32,9 @@ const MOST_CHANGES: usize = 20;
 
 /// Outcome of a probing move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Met {
+pub enum ProbeOutcome {
     /// A contact: the stop position of the axes, and the trigger that the control reads.
-    Something(Place, Place),
+    Contact(Place, Place),
     /// No contact.
     Nothing,
     /// Unknown: the outcome that the program does not treat as a fault.
@@ -42,7 +42,7 @@ pub enum Met {
 }
 
 /// Answers the probing moves of a run.
-pub type World<'w> = dyn FnMut(&Step) -> Met + 'w;
+pub type ContactModel<'w> = dyn FnMut(&Step) -> ProbeOutcome + 'w;
 
 /// Start and end conditions of a run.
 #[derive(Clone, Copy, Debug)]
@@ -67,8 +67,8 @@ pub struct Run {
 struct State {
     pc: usize,
     /// Position in the log of variable writes.
-    written: Mark,
-    stack: Vec<Called>,
+    written: WriteMark,
+    stack: Vec<CallFrame>,
     at: Place,
     /// Axes that a block has named.
     stated: [bool; 3],
@@ -86,7 +86,7 @@ struct State {
 
 impl State {
     /// Copies another state. Allocated memory is reused: this runs at every probing move.
-    fn become_like(&mut self, other: &State) {
+    fn copy_from(&mut self, other: &State) {
         let Self {
             pc,
             written,
@@ -120,7 +120,7 @@ impl State {
 
 /// An active subroutine.
 #[derive(Clone, Debug)]
-struct Called {
+struct CallFrame {
     /// Block at which the run continues afterwards.
     back: usize,
     /// Line of the outermost call.
@@ -135,7 +135,7 @@ struct Machine<'s, 't> {
     arguments: OnceCell<[Option<Slot>; ARGUMENTS.len()]>,
     state: State,
     /// Values of its variables.
-    slots: Slots,
+    slots: VariableStore,
     /// Whether the program is in millimetres, like the assumed basic system of the control: 1 or 0.
     metric: f64,
     /// Whether the last motion was unwatched, and the state after it.
@@ -148,11 +148,11 @@ struct Machine<'s, 't> {
     /// Whether the current block is refused because the run is strict: the program cannot rely on its outcome.
     refused: Cell<bool>,
     /// Remaining step budget: it ends a program that would run forever.
-    left: Cell<usize>,
+    budget_left: Cell<usize>,
 }
 
 /// Effect of a block.
-enum Flow<'s> {
+enum BlockEffect<'s> {
     Next,
     Moved(&'s Words, Motion),
     Output(&'s str, f64),
@@ -164,15 +164,15 @@ enum Flow<'s> {
 
 /// The branch not taken at the last condition since the last motion.
 #[derive(Default)]
-struct Fork {
+struct UntakenBranch {
     open: bool,
     state: State,
 }
 
-impl Fork {
-    fn opens(&mut self, state: &State, written: Mark, pc: usize) {
+impl UntakenBranch {
+    fn opens(&mut self, state: &State, written: WriteMark, pc: usize) {
         self.open = true;
-        self.state.become_like(state);
+        self.state.copy_from(state);
         (self.state.pc, self.state.written) = (pc, written);
     }
 
@@ -183,7 +183,11 @@ impl Fork {
 }
 
 /// Runs a program to its end.
-pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace, Trouble> {
+pub fn run(
+    script: &Script<'_>,
+    run: Run,
+    world: &mut ContactModel<'_>,
+) -> Result<Trace, ReadError> {
     run_marked(script, run, world, &[]).map(|(trace, _)| trace)
 }
 
@@ -191,14 +195,14 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
 pub fn run_marked(
     script: &Script<'_>,
     run: Run,
-    world: &mut World<'_>,
+    world: &mut ContactModel<'_>,
     marks: &[Slot],
-) -> Result<(Trace, Tail), Trouble> {
+) -> Result<(Trace, ResultCheckpoint), ReadError> {
     let mut machine = Machine::new(script, run);
     let mut trace = Trace::default();
     let mut scratch = State::default();
-    let mut tail = Tail::default();
-    let mut fork = Fork::default();
+    let mut tail = ResultCheckpoint::default();
+    let mut fork = UntakenBranch::default();
     // The alarm after which the other branch was taken.
     let mut implausible: Option<usize> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
@@ -224,25 +228,27 @@ pub fn run_marked(
             _ => {}
         }
         match flow {
-            Flow::Next => {}
-            Flow::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
-            Flow::Native => trace.natives.push(line),
-            Flow::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
-            Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
+            BlockEffect::Next => {}
+            BlockEffect::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
+            BlockEffect::Native => trace.natives.push(line),
+            BlockEffect::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
+            BlockEffect::Alarm if run.may_stop && trace.steps.is_empty() => {
+                return Ok((trace, tail));
+            }
             // The touches of this run belong to no good part: an alarm for an implausible result means nothing.
-            Flow::Alarm if fork.open && (!marks.is_empty() || !run.strict) => {
+            BlockEffect::Alarm if fork.open && (!marks.is_empty() || !run.strict) => {
                 machine.spend(MOTION + script.slots / 8);
                 implausible.get_or_insert(line);
-                machine.state.become_like(fork.take());
+                machine.state.copy_from(fork.take());
                 tail.before(machine.state.written, &mut machine.slots);
                 machine.slots.back(machine.state.written);
             }
-            Flow::Alarm => return Err(trouble(line, stops())),
-            Flow::End => {
+            BlockEffect::Alarm => return Err(trouble(line, stops())),
+            BlockEffect::End => {
                 trace.ends = true;
                 break;
             }
-            Flow::Moved(words, motion) => {
+            BlockEffect::Moved(words, motion) => {
                 if let Some(line) = implausible.filter(|_| run.strict) {
                     return Err(trouble(line, stops()));
                 }
@@ -263,7 +269,7 @@ pub fn run_marked(
 
 /// State of a program that stops with an alarm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stopped {
+pub struct AlarmState {
     /// Ball centre.
     pub at: Place,
     pub touches: usize,
@@ -274,25 +280,29 @@ pub struct Stopped {
 }
 
 /// Runs a program to its alarm. `None` if it ends without one, or a block cannot be carried out.
-pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Option<Stopped> {
+pub fn until_alarm(
+    script: &Script<'_>,
+    run: Run,
+    world: &mut ContactModel<'_>,
+) -> Option<AlarmState> {
     let mut machine = Machine::new(script, run);
     let (mut trace, mut scratch) = (Trace::default(), State::default());
-    let mut stopped = Stopped::default();
+    let mut stopped = AlarmState::default();
     while let Some(block) = script.blocks.get(machine.state.pc) {
         let line = machine.line(block.line);
         if matches!(block.kind, BlockKind::Words(_)) {
             machine.spend(MOTION + script.slots / 8);
         }
         match machine.step().ok()? {
-            Flow::Next | Flow::Output(..) => {}
-            Flow::Wrote(..) => stopped.writes = true,
-            Flow::Alarm => {
-                return Some(Stopped {
+            BlockEffect::Next | BlockEffect::Output(..) => {}
+            BlockEffect::Wrote(..) => stopped.writes = true,
+            BlockEffect::Alarm => {
+                return Some(AlarmState {
                     at: machine.state.at,
                     ..stopped
                 });
             }
-            Flow::Moved(words, motion) => {
+            BlockEffect::Moved(words, motion) => {
                 let step = machine
                     .moved(line, words, motion, &mut trace, world, &mut scratch)
                     .ok()?;
@@ -300,7 +310,7 @@ pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Opti
                 stopped.touches += usize::from(touch);
                 stopped.since = if touch { 0 } else { stopped.since + 1 };
             }
-            Flow::End | Flow::Native => return None,
+            BlockEffect::End | BlockEffect::Native => return None,
         }
     }
     None
@@ -321,8 +331,8 @@ fn reads_ahead() -> Text {
     text!("the control reads ahead: it evaluates this before the ball has arrived")
 }
 
-fn trouble(line: usize, message: Text) -> Trouble {
-    Trouble {
+fn trouble(line: usize, message: Text) -> ReadError {
+    ReadError {
         line,
         message,
         understood: true,
@@ -351,14 +361,14 @@ impl<'s, 't> Machine<'s, 't> {
             script,
             arguments: OnceCell::new(),
             state,
-            slots: Slots::of(vec![f64::NAN; script.slots]),
+            slots: VariableStore::of(vec![f64::NAN; script.slots]),
             metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
             unwatched: Default::default(),
             first: None,
             spun: None,
             run,
             refused: Cell::new(false),
-            left: Cell::new(BUDGET),
+            budget_left: Cell::new(BUDGET),
         }
     }
 
@@ -369,9 +379,9 @@ impl<'s, 't> Machine<'s, 't> {
         words: &Words,
         motion: Motion,
         trace: &mut Trace,
-        world: &mut World<'_>,
+        world: &mut ContactModel<'_>,
         scratch: &mut State,
-    ) -> Result<Step, Trouble> {
+    ) -> Result<Step, ReadError> {
         let modes = self.state.modes;
         let first = *self.first.get_or_insert(modes);
         trace.modes = first;
@@ -398,7 +408,7 @@ impl<'s, 't> Machine<'s, 't> {
         if trace.steps.is_empty() {
             trace.modes = self.state.modes;
         }
-        trace.spun = self.spun;
+        trace.spindle_line = self.spun;
         trace.written = self.written(trace);
     }
 
@@ -412,15 +422,16 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     fn spend(&self, work: usize) {
-        self.left.set(self.left.get().saturating_sub(work));
+        self.budget_left
+            .set(self.budget_left.get().saturating_sub(work));
     }
 
     /// Carries out a block, without its motion.
-    fn step(&mut self) -> Result<Flow<'s>, Trouble> {
+    fn step(&mut self) -> Result<BlockEffect<'s>, ReadError> {
         let script = self.script;
         let block = &script.blocks[self.state.pc];
         self.spend(1);
-        if self.left.get() == 0 {
+        if self.budget_left.get() == 0 {
             return Err(trouble(
                 block.line,
                 text!("the program does not come to an end"),
@@ -435,23 +446,26 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// Refusal of a strict run.
-    fn refuse(&self, line: usize, message: Text) -> Trouble {
+    fn refuse(&self, line: usize, message: Text) -> ReadError {
         self.refused.set(true);
         trouble(line, message)
     }
 
     /// Whether a block has an effect while a motion before it may still be running.
-    fn acts_early(&self, flow: &Flow<'_>) -> bool {
+    fn acts_early(&self, flow: &BlockEffect<'_>) -> bool {
         let acts = match flow {
-            Flow::Alarm => matches!(self.script.ahead, Ahead::Alarms | Ahead::ReadsAndActs),
-            Flow::Wrote(..) => self.script.ahead == Ahead::ReadsAndActs,
+            BlockEffect::Alarm => matches!(
+                self.script.ahead,
+                LookAhead::Alarms | LookAhead::ReadsAndActs
+            ),
+            BlockEffect::Wrote(..) => self.script.ahead == LookAhead::ReadsAndActs,
             _ => false,
         };
         acts && self.state.ahead
     }
 
     /// Whether a condition is true. One that depends on a variable without a value is unknown.
-    fn holds(&self, condition: NodeId, line: usize) -> Result<bool, Trouble> {
+    fn holds(&self, condition: NodeId, line: usize) -> Result<bool, ReadError> {
         let value = self.value(condition);
         if value.is_nan() && self.run.strict {
             return Err(self.refuse(
@@ -463,7 +477,7 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// Effect of a block, whether or not it is allowed here.
-    fn carry_out(&mut self, block: &'s Block) -> Result<Flow<'s>, Trouble> {
+    fn carry_out(&mut self, block: &'s Block) -> Result<BlockEffect<'s>, ReadError> {
         match &block.kind {
             BlockKind::Nothing => {}
             BlockKind::Halt => self.state.ahead = false,
@@ -473,7 +487,7 @@ impl<'s, 't> Machine<'s, 't> {
                     self.spun.get_or_insert(block.line);
                 }
                 if let Some(motion) = words.motion {
-                    return Ok(Flow::Moved(words, motion));
+                    return Ok(BlockEffect::Moved(words, motion));
                 }
             }
             BlockKind::Set(slot, node) => self.write(*slot, *node),
@@ -491,9 +505,9 @@ impl<'s, 't> Machine<'s, 't> {
                 self.set_part(*part, value);
                 return Ok(match part {
                     Part::Origin(number, axis) => {
-                        Flow::Wrote(*number, [0, 1, 2].map(|i| i == *axis), false)
+                        BlockEffect::Wrote(*number, [0, 1, 2].map(|i| i == *axis), false)
                     }
-                    Part::Turn(number, _) => Flow::Wrote(*number, [false; 3], true),
+                    Part::Turn(number, _) => BlockEffect::Wrote(*number, [false; 3], true),
                 });
             }
             BlockKind::Jump(target) => self.state.pc = *target,
@@ -509,26 +523,32 @@ impl<'s, 't> Machine<'s, 't> {
             }
             BlockKind::Call(target, arguments) => self.call(block.line, *target, arguments)?,
             BlockKind::Return => self.give_back(block.line)?,
-            BlockKind::Output(code, node) => return Ok(Flow::Output(code, self.value(*node))),
+            BlockKind::Output(code, node) => {
+                return Ok(BlockEffect::Output(code, self.value(*node)));
+            }
             BlockKind::Reading(number, axes) => {
                 self.state.reading = Some(axes.map(|node| node.map(|node| self.value(node))));
-                return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), false));
+                return Ok(BlockEffect::Wrote(
+                    *number,
+                    axes.map(|node| node.is_some()),
+                    false,
+                ));
             }
             BlockKind::Origin(number, axes, turn) => {
                 self.set_origin(*number, axes, *turn);
-                return Ok(Flow::Wrote(
+                return Ok(BlockEffect::Wrote(
                     *number,
                     axes.map(|node| node.is_some()),
                     turn.is_some(),
                 ));
             }
-            BlockKind::Alarm => return Ok(Flow::Alarm),
+            BlockKind::Alarm => return Ok(BlockEffect::Alarm),
             BlockKind::Warned => self.state.warned = true,
-            BlockKind::Native => return Ok(Flow::Native),
-            BlockKind::End if self.state.warned => return Ok(Flow::Alarm),
-            BlockKind::End => return Ok(Flow::End),
+            BlockKind::Native => return Ok(BlockEffect::Native),
+            BlockKind::End if self.state.warned => return Ok(BlockEffect::Alarm),
+            BlockKind::End => return Ok(BlockEffect::End),
         }
-        Ok(Flow::Next)
+        Ok(BlockEffect::Next)
     }
 
     /// Gives a variable a value. The previous value is logged; the budget bounds the log of a program that would run forever.
@@ -539,7 +559,7 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// Enters a subroutine with these arguments.
-    fn call(&mut self, line: usize, target: usize, arguments: &[NodeId]) -> Result<(), Trouble> {
+    fn call(&mut self, line: usize, target: usize, arguments: &[NodeId]) -> Result<(), ReadError> {
         let slots = *self
             .arguments
             .get_or_init(|| ARGUMENTS.map(|name| self.script.find(name)));
@@ -558,7 +578,7 @@ impl<'s, 't> Machine<'s, 't> {
                 text!("subroutines call each other too deeply"),
             ));
         }
-        let called = Called {
+        let called = CallFrame {
             back: self.state.pc,
             line: self.line(line),
             arguments: before,
@@ -572,7 +592,7 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// Returns from a subroutine.
-    fn give_back(&mut self, line: usize) -> Result<(), Trouble> {
+    fn give_back(&mut self, line: usize) -> Result<(), ReadError> {
         let called = self
             .state
             .stack
@@ -600,7 +620,7 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// A motion from the current ball centre.
-    fn motion(&mut self, line: usize, words: &Words, motion: Motion) -> Result<Step, Trouble> {
+    fn motion(&mut self, line: usize, words: &Words, motion: Motion) -> Result<Step, ReadError> {
         let from = [0, 1, 2].map(|axis| {
             if self.state.stated[axis] {
                 self.state.at[axis]
@@ -646,7 +666,7 @@ impl<'s, 't> Machine<'s, 't> {
         } else {
             Kind::Feed
         };
-        let (contact, miss) = (Ending::GoesOn, Ending::GoesOn);
+        let (contact, miss) = (ProbeConsequence::Continues, ProbeConsequence::Continues);
         let known = self.state.stated;
         Ok(Step {
             line,
@@ -655,11 +675,11 @@ impl<'s, 't> Machine<'s, 't> {
             known,
             kind,
             feed,
-            own_feed: words.feed.is_some(),
+            states_feed: words.feed.is_some(),
             arc,
             contact,
             miss,
-            stuck: None,
+            still_deflected: None,
         })
     }
 
@@ -668,33 +688,36 @@ impl<'s, 't> Machine<'s, 't> {
         &mut self,
         step: &mut Step,
         motion: Motion,
-        world: &mut World<'_>,
+        world: &mut ContactModel<'_>,
         scratch: &mut State,
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), ReadError> {
         self.state.ahead = self.runs_on(motion);
         if !motion.probes() {
             self.state.at = step.to;
             self.unwatched.0 = true;
-            self.unwatched.1.become_like(&self.state);
+            self.unwatched.1.copy_from(&self.state);
             self.unwatched.1.written = self.slots.mark();
             return Ok(());
         }
         if std::mem::take(&mut self.unwatched.0) {
             // A block that no control could carry out stops it with an alarm.
-            step.stuck = Some(self.still_deflected().unwrap_or(Ending::ControlStops));
+            step.still_deflected = Some(
+                self.still_deflected()
+                    .unwrap_or(ProbeConsequence::ControlStops),
+            );
         }
         let from = self.state.at;
         let half = [0, 1, 2].map(|axis| (from[axis] + step.to[axis]) / 2.0);
         let met = match (world(step), motion) {
-            (Met::Something(stops, reads), _) => Some((stops, reads)),
-            (Met::Nothing, _) | (Met::Unknown, Motion::MustBeFree) => None,
-            (Met::Unknown, Motion::MayTouch) => {
+            (ProbeOutcome::Contact(stops, reads), _) => Some((stops, reads)),
+            (ProbeOutcome::Nothing, _) | (ProbeOutcome::Unknown, Motion::MustBeFree) => None,
+            (ProbeOutcome::Unknown, Motion::MayTouch) => {
                 let free = self
                     .other_way(step.to, Some((half, half)), scratch)?
                     .stops();
                 (!free).then_some((half, half))
             }
-            (Met::Unknown, _) => Some((half, half)),
+            (ProbeOutcome::Unknown, _) => Some((half, half)),
         };
         let other = if met.is_some() {
             None
@@ -702,13 +725,15 @@ impl<'s, 't> Machine<'s, 't> {
             Some((half, half))
         };
         let ending = match (motion, other) {
-            (Motion::MustTouch, None) | (Motion::MustBeFree, Some(_)) => Ending::ControlStops,
+            (Motion::MustTouch, None) | (Motion::MustBeFree, Some(_)) => {
+                ProbeConsequence::ControlStops
+            }
             _ => self.other_way(step.to, other, scratch)?,
         };
         (step.kind, step.contact, step.miss) = match (met, ending) {
-            (_, Ending::GoesOn) => (Kind::Unchecked, ending, ending),
-            (Some(_), _) => (Kind::Touch, Ending::GoesOn, ending),
-            (None, _) => (Kind::Watched, ending, Ending::GoesOn),
+            (_, ProbeConsequence::Continues) => (Kind::Unchecked, ending, ending),
+            (Some(_), _) => (Kind::Touch, ProbeConsequence::Continues, ending),
+            (None, _) => (Kind::Watched, ending, ProbeConsequence::Continues),
         };
         match (motion, met) {
             (Motion::MustTouch, None) => {
@@ -725,9 +750,9 @@ impl<'s, 't> Machine<'s, 't> {
     /// Whether the control evaluates later blocks before a motion has ended.
     fn runs_on(&self, motion: Motion) -> bool {
         match self.script.ahead {
-            Ahead::Harmless => false,
-            Ahead::Alarms => !motion.probes(),
-            Ahead::Reads | Ahead::ReadsAndActs => true,
+            LookAhead::Harmless => false,
+            LookAhead::Alarms => !motion.probes(),
+            LookAhead::Reads | LookAhead::ReadsAndActs => true,
         }
     }
 

@@ -2,7 +2,7 @@
 
 /// Values of variables, by their slots.
 #[derive(Clone, Debug, Default)]
-pub struct Slots {
+pub struct VariableStore {
     now: Vec<f64>,
     /// Slot and previous value of each write.
     replaced: Vec<(u32, f64)>,
@@ -10,15 +10,15 @@ pub struct Slots {
 
 /// A position in the log of writes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
-pub struct Mark(usize);
+pub struct WriteMark(usize);
 
 /// Undone writes, to be redone.
 #[derive(Debug)]
 pub struct Redo(Vec<(u32, f64)>);
 
-impl Slots {
+impl VariableStore {
     pub fn of(values: Vec<f64>) -> Self {
-        Slots {
+        VariableStore {
             now: values,
             replaced: Vec::new(),
         }
@@ -33,19 +33,19 @@ impl Slots {
         self.replaced.push((slot as u32, before));
     }
 
-    pub fn mark(&self) -> Mark {
-        Mark(self.replaced.len())
+    pub fn mark(&self) -> WriteMark {
+        WriteMark(self.replaced.len())
     }
 
     /// Undoes all writes since a mark.
-    pub fn back(&mut self, to: Mark) {
+    pub fn back(&mut self, to: WriteMark) {
         for (slot, before) in self.replaced.drain(to.0..).rev() {
             self.now[slot as usize] = before;
         }
     }
 
     /// Undoes all writes since a mark, and returns them for [`Self::redo`].
-    pub fn undo(&mut self, to: Mark) -> Redo {
+    pub fn undo(&mut self, to: WriteMark) -> Redo {
         let now = &mut self.now;
         let undone = self.replaced.drain(to.0..).rev();
         Redo(
@@ -64,7 +64,7 @@ impl Slots {
     }
 
     /// Values at a mark.
-    pub fn at(&mut self, mark: Mark) -> Vec<f64> {
+    pub fn at(&mut self, mark: WriteMark) -> Vec<f64> {
         let redo = self.undo(mark);
         let values = self.now.clone();
         self.redo(redo);
@@ -79,11 +79,11 @@ impl Slots {
 
 #[cfg(test)]
 mod tests {
-    use super::Slots;
+    use super::VariableStore;
 
     #[test]
     fn writes_are_taken_back_and_made_again() {
-        let mut slots = Slots::of(vec![1.0, 2.0]);
+        let mut slots = VariableStore::of(vec![1.0, 2.0]);
         let begin = slots.mark();
         slots.set(0, 5.0);
         let middle = slots.mark();

@@ -1,13 +1,13 @@
 //! The program after its motions: its end with other results than the measured ones, and a restart in its middle.
 
-use super::slots::{Mark, Slots};
-use super::{Flow, Machine, Run, State};
+use super::slots::{VariableStore, WriteMark};
+use super::{BlockEffect, Machine, Run, State};
 use crate::control::iso::script::{BlockKind, Motion, Script, Slot};
 use crate::control::trace::{Place, Trace};
 
 /// State of a program when its results have their values, and its variables at its end.
 #[derive(Clone, Debug, Default)]
-pub struct Tail {
+pub struct ResultCheckpoint {
     /// Whether none of the marked variables had a value before.
     begun: bool,
     state: State,
@@ -18,7 +18,7 @@ pub struct Tail {
 
 /// Outcome of the end of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outcome {
+pub struct TailOutcome {
     /// Whether it stops with an alarm.
     pub stops: bool,
     /// Whether it reaches its end.
@@ -27,29 +27,29 @@ pub struct Outcome {
     pub writes: bool,
 }
 
-impl Tail {
-    pub(super) fn keep(&mut self, state: &State, written: Mark) {
+impl ResultCheckpoint {
+    pub(super) fn keep(&mut self, state: &State, written: WriteMark) {
         self.begun = true;
-        self.state.become_like(state);
+        self.state.copy_from(state);
         self.state.written = written;
         self.values = None;
     }
 
     /// A motion was made: if results come before it, the tail begins after it.
-    pub(super) fn moved(&mut self, state: &State, written: Mark) {
+    pub(super) fn moved(&mut self, state: &State, written: WriteMark) {
         if self.begun {
             self.keep(state, written);
         }
     }
 
     /// The run returns to an earlier state.
-    pub(super) fn before(&mut self, written: Mark, slots: &mut Slots) {
+    pub(super) fn before(&mut self, written: WriteMark, slots: &mut VariableStore) {
         if self.begun && self.values.is_none() && written < self.state.written {
             self.values = Some(slots.at(self.state.written));
         }
     }
 
-    pub(super) fn end(&mut self, slots: &mut Slots) {
+    pub(super) fn end(&mut self, slots: &mut VariableStore) {
         self.end = slots.values().to_vec();
         if self.begun && self.values.is_none() {
             self.values = Some(slots.at(self.state.written));
@@ -62,11 +62,15 @@ impl Tail {
     }
 
     /// Runner for the end of the program; `None` if the program never reached its results.
-    pub fn ending<'s, 't>(&'s self, script: &'s Script<'t>, run: Run) -> Option<Endings<'s, 't>> {
+    pub fn ending<'s, 't>(
+        &'s self,
+        script: &'s Script<'t>,
+        run: Run,
+    ) -> Option<TailRunner<'s, 't>> {
         let values = self.values.as_ref().filter(|_| self.begun)?;
         let mut machine = Machine::new(script, run);
-        machine.slots = Slots::of(values.clone());
-        Some(Endings {
+        machine.slots = VariableStore::of(values.clone());
+        Some(TailRunner {
             begin: &self.state,
             machine,
         })
@@ -74,18 +78,18 @@ impl Tail {
 }
 
 /// Runs the end of a program repeatedly.
-pub struct Endings<'s, 't> {
+pub struct TailRunner<'s, 't> {
     begin: &'s State,
     machine: Machine<'s, 't>,
 }
 
-impl Endings<'_, '_> {
+impl TailRunner<'_, '_> {
     /// Outcome of the end of the program with these values of variables.
-    pub fn outcome(&mut self, values: impl Iterator<Item = (Slot, f64)>) -> Outcome {
-        let Endings { begin, machine } = self;
+    pub fn outcome(&mut self, values: impl Iterator<Item = (Slot, f64)>) -> TailOutcome {
+        let TailRunner { begin, machine } = self;
         let written = machine.slots.mark();
-        machine.state.become_like(begin);
-        machine.left.set(super::BUDGET);
+        machine.state.copy_from(begin);
+        machine.budget_left.set(super::BUDGET);
         values.for_each(|(slot, value)| machine.slots.set(slot as usize, value));
         let outcome = machine.finished();
         machine.slots.back(written);
@@ -94,27 +98,27 @@ impl Endings<'_, '_> {
 }
 
 impl Machine<'_, '_> {
-    fn finished(&mut self) -> Outcome {
+    fn finished(&mut self) -> TailOutcome {
         let machine = self;
-        let mut outcome = Outcome::default();
+        let mut outcome = TailOutcome::default();
         while machine.script.blocks.get(machine.state.pc).is_some() {
             match machine.step() {
-                Ok(Flow::Next | Flow::Output(..)) => {}
-                Ok(Flow::Wrote(..)) => outcome.writes = true,
-                Ok(Flow::Alarm) => {
-                    return Outcome {
+                Ok(BlockEffect::Next | BlockEffect::Output(..)) => {}
+                Ok(BlockEffect::Wrote(..)) => outcome.writes = true,
+                Ok(BlockEffect::Alarm) => {
+                    return TailOutcome {
                         stops: true,
                         ..outcome
                     };
                 }
-                Ok(Flow::End) => {
-                    return Outcome {
+                Ok(BlockEffect::End) => {
+                    return TailOutcome {
                         ends: true,
                         ..outcome
                     };
                 }
                 // Results come after every motion.
-                Ok(Flow::Moved(..) | Flow::Native) | Err(_) => return outcome,
+                Ok(BlockEffect::Moved(..) | BlockEffect::Native) | Err(_) => return outcome,
             }
         }
         outcome
@@ -138,12 +142,15 @@ pub fn restarted(
             ..run
         },
     );
-    machine.slots = Slots::of(values.to_vec());
+    machine.slots = VariableStore::of(values.to_vec());
     machine.state.pc = block;
     machine.state.modes = trace.modes;
-    machine.left.set(*left);
+    machine.budget_left.set(*left);
     let writes = machine.writes_too_early(touch_lines);
-    *left = machine.left.get().saturating_sub(1 + script.slots / 8);
+    *left = machine
+        .budget_left
+        .get()
+        .saturating_sub(1 + script.slots / 8);
     writes
 }
 
@@ -159,16 +166,16 @@ impl Machine<'_, '_> {
             let flow = machine.step();
             // A variable that was never set is an error if the control does not keep variables.
             if let BlockKind::Set(slot, _) = own.kind
-                && script.vacant.is_none()
+                && script.unset_value.is_none()
                 && machine.slots.get(slot as usize).is_nan()
             {
                 return false;
             }
             match flow {
-                Ok(Flow::Next | Flow::Output(..)) => {}
-                Ok(Flow::Wrote(..)) if touched < wanted && machine.changed() => return true,
-                Ok(Flow::Wrote(..)) => {}
-                Ok(Flow::Moved(words, motion)) => {
+                Ok(BlockEffect::Next | BlockEffect::Output(..)) => {}
+                Ok(BlockEffect::Wrote(..)) if touched < wanted && machine.changed() => return true,
+                Ok(BlockEffect::Wrote(..)) => {}
+                Ok(BlockEffect::Moved(words, motion)) => {
                     let Ok(step) = machine.motion(line, words, motion) else {
                         return false;
                     };
@@ -180,7 +187,9 @@ impl Machine<'_, '_> {
                     machine.arrive(step.to, met);
                 }
                 // The control or the program stops.
-                Ok(Flow::Alarm | Flow::End | Flow::Native) | Err(_) => return false,
+                Ok(BlockEffect::Alarm | BlockEffect::End | BlockEffect::Native) | Err(_) => {
+                    return false;
+                }
             }
         }
         false

@@ -1,8 +1,8 @@
 //! Values of expressions, and the effect of writes to a work offset.
 
 use super::Machine;
-use crate::control::iso::script::{Ahead, Binary, Node, NodeId, Part, System, Unary};
-use crate::control::trace::{Place, Trace, Written};
+use crate::control::iso::script::{Binary, LookAhead, Node, NodeId, Part, System, Unary};
+use crate::control::trace::{OffsetEffect, Place, Trace};
 use crate::geom::Plane;
 
 /// Assumed length of the tool along the tool axis, in units of the program: any number but 0.
@@ -20,7 +20,10 @@ impl Machine<'_, '_> {
             return 0.0;
         }
         let known = self.state.origins.iter().find(|(known, _)| *known == part);
-        known.map_or_else(|| before(part, self.script.straight), |(_, value)| *value)
+        known.map_or_else(
+            || before(part, self.script.offsets_lack_rotation),
+            |(_, value)| *value,
+        )
     }
 
     pub(super) fn set_part(&mut self, part: Part, value: f64) {
@@ -38,7 +41,7 @@ impl Machine<'_, '_> {
     /// Whether a work offset has changed, or reads a position differently. NaN stops the control.
     pub(super) fn changed(&self) -> bool {
         let moved = |(part, value): &(Part, f64)| {
-            (value - before(*part, self.script.straight)).abs() > 1e-9
+            (value - before(*part, self.script.offsets_lack_rotation)).abs() > 1e-9
         };
         self.state.origins.iter().any(moved)
             || self
@@ -48,12 +51,12 @@ impl Machine<'_, '_> {
     }
 
     /// Effect of the writes to the work offset, for the current ball centre.
-    pub(super) fn written(&self, trace: &Trace) -> Option<Written> {
+    pub(super) fn written(&self, trace: &Trace) -> Option<OffsetEffect> {
         let number = trace.writes.first()?.number;
         let plane = self.state.modes.plane.unwrap_or(Plane::G17);
         let [a, o, tool] = plane.axes();
         let turn = Part::Turn(number, tool);
-        let before = |part: Part| before(part, self.script.straight);
+        let before = |part: Part| before(part, self.script.offsets_lack_rotation);
         let (was, is) = (before(turn), self.part(turn));
         let place = self.state.at;
         // From machine coordinates to the current system.
@@ -73,7 +76,7 @@ impl Machine<'_, '_> {
                 reading[axis] = stated[axis].unwrap_or(reading[axis]);
             }
         }
-        Some(Written {
+        Some(OffsetEffect {
             place,
             reading,
             turn: is - was,
@@ -156,7 +159,10 @@ impl Machine<'_, '_> {
         if self.run.strict
             && tells_of_the_ball
             && self.state.ahead
-            && matches!(self.script.ahead, Ahead::Reads | Ahead::ReadsAndActs)
+            && matches!(
+                self.script.ahead,
+                LookAhead::Reads | LookAhead::ReadsAndActs
+            )
         {
             self.refused.set(true);
         }

@@ -10,9 +10,9 @@ mod probe;
 use crate::control::heidenhain::read::{Given, assignments, numbered_blocks};
 use crate::form::Value;
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::key::Key;
-use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::known::UnsetVariable;
 use crate::import::toolpath::native::q_parameters;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::script::expression::Cursor;
@@ -75,7 +75,7 @@ impl Klartext {
     }
 
     /// Variables that were read before anything set them.
-    pub fn asks(&self) -> Vec<Ask> {
+    pub fn asks(&self) -> Vec<UnsetVariable> {
         self.machine.variables.asks()
     }
 
@@ -84,7 +84,7 @@ impl Klartext {
         self.machine.runs = reader.run.is_some();
         while at < self.lines.len() {
             reader.line = self.lines[at].number;
-            reader.meet(Some(reader.line));
+            reader.join_branches(Some(reader.line));
             if !self.machine.begins_block(reader.line) {
                 return reader.lose(Skip::Endless, reader.line);
             }
@@ -312,14 +312,14 @@ impl Klartext {
             line: reader.line + 1,
         };
         match self.machine.jump(to, holds, next) {
-            Step::Go(to) => return Next::At(to.at),
-            Step::Done => {}
-            Step::BranchEnds(_) => reader.branch_ends(),
-            Step::Way(way) => reader.goes_unknown_way(way),
+            LineAction::JumpTo(to) => return Next::At(to.at),
+            LineAction::Skip => {}
+            LineAction::BranchEnds(_) => reader.branch_ends(),
+            LineAction::Way(way) => reader.goes_unknown_way(way),
             step => {
                 reader.skipped.count(Skip::Condition, reader.line);
-                if let Step::MayJump(line) = step {
-                    reader.parts(Some(line));
+                if let LineAction::MayJump(line) = step {
+                    reader.begin_branch(Some(line));
                 }
             }
         }

@@ -3,7 +3,7 @@
 //! D00 to D14 are FN 0 to FN 14 of Klartext, with P01, P02 and P03 before their operands.
 
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::machine::Machine;
 use crate::import::toolpath::script::statement::{d_part, heidenhain_code, heidenhain_label};
@@ -11,14 +11,14 @@ use crate::import::toolpath::script::variables::Value;
 use crate::num::decimal;
 
 impl Machine {
-    pub(super) fn heidenhain(&mut self, line: &[u8], here: Place, next: Place) -> Step {
+    pub(super) fn heidenhain(&mut self, line: &[u8], here: Place, next: Place) -> LineAction {
         if line.first() == Some(&b'%') {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let code = heidenhain_code(line);
         if let Some(number) = heidenhain_label(&code) {
             let back = if number == 0 { self.leave() } else { None };
-            return back.map_or(Step::Done, Step::Leave);
+            return back.map_or(LineAction::Skip, LineAction::Leave);
         }
         let mut letters = code.bytes();
         match (letters.next(), letters.next()) {
@@ -30,9 +30,9 @@ impl Machine {
     }
 
     /// `D01 Q1 P01 +Q2 P02 +5`, `D09 P01 +Q1 P02 +Q3 P03 5`.
-    fn d_code(&mut self, code: &str, next: Place) -> Step {
+    fn d_code(&mut self, code: &str, next: Place) -> LineAction {
         let Some(number) = code.get(1..3).and_then(|digits| digits.parse::<u32>().ok()) else {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         let value = |name: &str| {
             let mut cursor = Cursor::new(d_part(code, name)?.as_bytes(), 0, &self.variables);
@@ -52,7 +52,7 @@ impl Machine {
                 let to = d_part(code, "P03").and_then(|label| self.index.only_label(label));
                 return self.jump(to, holds, next);
             }
-            (14, ..) if self.is_sure() => return Step::Ends,
+            (14, ..) if self.is_sure() => return LineAction::Ends,
             (0, Some(a), _) => a,
             (1, Some(a), Some(b)) => a + b,
             (2, Some(a), Some(b)) => a - b,
@@ -66,20 +66,20 @@ impl Machine {
             _ => f64::NAN,
         };
         let Some(key) = Cursor::new(code.as_bytes(), 3, &self.variables).key() else {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         if number == 18 {
             self.variables.set_by_control(key);
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         self.sets(key, Value::of(result))
     }
 
     /// `Q5 = +Q1 * 2`.
-    fn formula(&mut self, code: &str) -> Step {
+    fn formula(&mut self, code: &str) -> LineAction {
         let mut cursor = Cursor::new(code.as_bytes(), 0, &self.variables);
         let Some(key) = cursor.key() else {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         let value = cursor.eat("=").then(|| cursor.value()).flatten();
         let is_whole = cursor.is_done();
@@ -87,32 +87,32 @@ impl Machine {
     }
 
     /// `L5,0` calls; `L5,3` repeats the section from the label on three more times.
-    fn calls_label(&mut self, code: &str, here: Place, next: Place) -> Step {
+    fn calls_label(&mut self, code: &str, here: Place, next: Place) -> LineAction {
         let (number, times) = code[1..]
             .split_once([',', '.'])
             .unwrap_or((&code[1..], "0"));
         let place = self.index.only_label(number.trim());
         let (Some(place), Ok(times)) = (place, times.trim().parse::<usize>()) else {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         if times > 0 {
             return if self.repeats(here, times) {
-                Step::Go(place)
+                LineAction::JumpTo(place)
             } else {
-                Step::Done
+                LineAction::Skip
             };
         }
         if self.frames.len() == self.variables.grammar.deepest {
-            return Step::Stop;
+            return LineAction::Stop;
         }
         self.enter(next, false, 0, Vec::new());
-        Step::Enter(place)
+        LineAction::Enter(place)
     }
 
     /// A block of words, with numbers in place of known parameters.
-    fn with_parameters(&mut self, code: &str) -> Step {
+    fn with_parameters(&mut self, code: &str) -> LineAction {
         if !code.contains('Q') {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let mut out = String::with_capacity(code.len());
         let mut rest = code;
@@ -142,6 +142,6 @@ impl Machine {
             rest = &from[after..];
         }
         out.push_str(rest);
-        Step::Read(out.into_bytes())
+        LineAction::Read(out.into_bytes())
     }
 }

@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 
 use crate::control::iso::lex::head;
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::frames::Axes;
 use crate::import::toolpath::key::Key;
-use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::known::UnsetVariable;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language};
 use crate::import::toolpath::script::index::{Index, Subprogram};
@@ -184,40 +184,40 @@ impl Machine {
     }
 
     /// The program may continue at a position: up to it nothing is certain. A repetition by a jump back may set any variable again.
-    pub(super) fn leap(&mut self, to: Option<Place>, next: Place) -> Step {
+    pub(super) fn leap(&mut self, to: Option<Place>, next: Place) -> LineAction {
         match to {
             Some(below) if below.line >= next.line => {
                 self.leaps_to(below.line);
-                Step::MayJump(below.line)
+                LineAction::MayJump(below.line)
             }
             // After a jump back it continues when its rounds are over.
             Some(_) => {
                 self.forget();
-                Step::Way(Way::LoopLeft(self.valued))
+                LineAction::Way(Way::LoopLeft(self.valued))
             }
             None => {
                 self.forget();
                 self.leaps_to(NOWHERE);
-                Step::AsWritten
+                LineAction::AsWritten
             }
         }
     }
 
     /// A conditional jump. If the condition is unknown, or an unknown one guards the jump, it is not made: the lines are read in order.
-    pub fn jump(&mut self, to: Option<Place>, holds: Option<bool>, next: Place) -> Step {
+    pub fn jump(&mut self, to: Option<Place>, holds: Option<bool>, next: Place) -> LineAction {
         match (holds, to) {
-            (Some(false), _) => return Step::Done,
-            (Some(true), Some(to)) if !self.is_guarded() => return Step::Go(to),
+            (Some(false), _) => return LineAction::Skip,
+            (Some(true), Some(to)) if !self.is_guarded() => return LineAction::JumpTo(to),
             // One of the two branches ends: the program follows the other one.
             (None, Some(to)) if self.runs && self.index.leads_out(to) && self.spares() => {
-                return Step::BranchEnds(None);
+                return LineAction::BranchEnds(None);
             }
             _ => {}
         }
         // A jump that is made to an unknown block.
         let is_astray = holds == Some(true) && to.is_none() && !self.is_guarded();
         let leap = self.leap(to, next);
-        if is_astray { Step::Astray } else { leap }
+        if is_astray { LineAction::Astray } else { leap }
     }
 
     /// Whether the ending branch of a line may be skipped once more: a loop that only it ends would not end.
@@ -283,13 +283,13 @@ impl Machine {
     }
 
     /// It may return from the call here or not: what follows in it is uncertain.
-    pub(super) fn may_leave(&mut self) -> Step {
+    pub(super) fn may_leave(&mut self) -> LineAction {
         let Some(frame) = self.frames.last_mut() else {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         frame.left += 1;
         self.unsure += 1;
-        Step::MayLeave(frame.back.line)
+        LineAction::MayLeave(frame.back.line)
     }
 
     /// Closes everything above a level of the stack.
@@ -318,9 +318,9 @@ impl Machine {
         Some((first + at, own[at]))
     }
 
-    fn unsure_begins(&mut self, span: usize) -> Step {
+    fn unsure_begins(&mut self, span: usize) -> LineAction {
         self.opens(Open::Unsure(span));
-        Step::Way(match self.index.span(span).keyword {
+        LineAction::Way(match self.index.span(span).keyword {
             Keyword::If => Way::Begins,
             _ => Way::LoopBegins,
         })
@@ -332,7 +332,7 @@ impl Machine {
         keyword: Keyword,
         value: Option<Value>,
         here: Place,
-    ) -> Step {
+    ) -> LineAction {
         let Some(span) = self.index.span_at(here.line) else {
             // The end of a loop without a start: it may set anything.
             if matches!(
@@ -341,7 +341,7 @@ impl Machine {
             ) {
                 self.forget();
             }
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         let is_end = self
             .index
@@ -374,42 +374,42 @@ impl Machine {
             },
             Keyword::EndRepeat => self.again(span),
             Keyword::EndWhile | Keyword::EndFor | Keyword::EndLoop => self.loop_ends(span),
-            _ => Step::AsWritten,
+            _ => LineAction::AsWritten,
         }
     }
 
     /// The end of a condition.
-    fn structure_ends(&mut self, span: usize) -> Step {
+    fn structure_ends(&mut self, span: usize) -> LineAction {
         match self.opened(span) {
             Some((at, Open::Unsure(_))) => {
                 self.close_to(at);
-                Step::Way(Way::Ends)
+                LineAction::Way(Way::Ends)
             }
             Some((at, _)) => {
                 self.close_to(at);
-                Step::Done
+                LineAction::Skip
             }
-            None => Step::Done,
+            None => LineAction::Skip,
         }
     }
 
     /// The line below the end of a structure; without one the block is read as written.
-    fn below(&self, span: usize) -> Step {
-        Step::to(self.index.span(span).end.map(|(_, below)| below))
+    fn below(&self, span: usize) -> LineAction {
+        LineAction::to(self.index.span(span).end.map(|(_, below)| below))
     }
 
-    fn if_(&mut self, span: usize, holds: Option<bool>) -> Step {
+    fn if_(&mut self, span: usize, holds: Option<bool>) -> LineAction {
         match holds {
             Some(true) => {
                 self.opens(Open::Branch(span));
-                Step::Done
+                LineAction::Skip
             }
             Some(false) => self.other_branch(span),
             None => {
                 let below = self.index.span(span).end.map(|(_, below)| below);
                 let is_left = self.runs && self.index.is_ending(span) && self.spares();
                 match below.filter(|_| is_left) {
-                    Some(below) => Step::BranchEnds(Some(below)),
+                    Some(below) => LineAction::BranchEnds(Some(below)),
                     None => self.unsure_begins(span),
                 }
             }
@@ -417,7 +417,7 @@ impl Machine {
     }
 
     /// The first further branch with a true condition, or the end of the `if`.
-    fn other_branch(&mut self, span: usize) -> Step {
+    fn other_branch(&mut self, span: usize) -> LineAction {
         for branch in &self.index.span(span).branches {
             let (here, below) = (branch.here, branch.below);
             let holds = match &branch.condition {
@@ -430,12 +430,12 @@ impl Machine {
                 Some(false) => {}
                 Some(true) => {
                     self.opens(Open::Branch(span));
-                    return Step::Go(below);
+                    return LineAction::JumpTo(below);
                 }
                 // From there on it is unknown which of them runs.
                 None => {
                     self.opens(Open::ElseIf(span));
-                    return Step::Go(here);
+                    return LineAction::JumpTo(here);
                 }
             }
         }
@@ -443,28 +443,28 @@ impl Machine {
     }
 
     /// A further branch is reached from the one above it: that one ran, or it is unknown whether it did.
-    fn next_branch(&mut self, span: usize, otherwise: bool) -> Step {
+    fn next_branch(&mut self, span: usize, otherwise: bool) -> LineAction {
         match self.opened(span) {
             Some((at, Open::Branch(_))) => {
                 self.close_to(at);
                 self.below(span)
             }
-            Some((_, Open::Unsure(_))) => Step::Way(Way::Branches { otherwise }),
-            _ => Step::AsWritten,
+            Some((_, Open::Unsure(_))) => LineAction::Way(Way::Branches { otherwise }),
+            _ => LineAction::AsWritten,
         }
     }
 
     /// A loop begins with this number of rounds.
-    fn loop_begins(&mut self, span: usize, times: usize) -> Step {
+    fn loop_begins(&mut self, span: usize, times: usize) -> LineAction {
         match self.opened(span) {
             Some((at, Open::Loop(..))) => self.close_to(at + 1),
             _ => self.opens(Open::Loop(span, times, 0)),
         }
-        Step::Done
+        LineAction::Skip
     }
 
     /// A loop with its condition at the beginning.
-    fn while_(&mut self, span: usize, holds: Option<bool>) -> Step {
+    fn while_(&mut self, span: usize, holds: Option<bool>) -> LineAction {
         if holds == Some(true) {
             return self.loop_begins(span, usize::MAX);
         }
@@ -478,74 +478,74 @@ impl Machine {
     }
 
     /// The end of a loop with its condition at the beginning.
-    fn loop_ends(&mut self, span: usize) -> Step {
+    fn loop_ends(&mut self, span: usize) -> LineAction {
         match self.opened(span) {
             Some((at, Open::Loop(_, 0, _))) => {
                 self.close_to(at);
                 self.forget();
-                Step::Way(Way::LoopLeft(self.valued))
+                LineAction::Way(Way::LoopLeft(self.valued))
             }
             Some((at, Open::Loop(_, times, rounds))) => {
                 self.close_to(at);
                 self.open.push(Open::Loop(span, times, rounds + 1));
-                Step::Go(self.index.span(span).begin)
+                LineAction::JumpTo(self.index.span(span).begin)
             }
             _ => self.unsure_loop_ends(span),
         }
     }
 
     /// The end of a loop with its condition there.
-    fn do_ends(&mut self, span: usize, goes_on: Option<bool>) -> Step {
+    fn do_ends(&mut self, span: usize, goes_on: Option<bool>) -> LineAction {
         let Some((at, Open::Loop(_, times, _))) = self.opened(span) else {
             return self.unsure_loop_ends(span);
         };
         match goes_on.filter(|_| times > 0) {
             Some(true) => {
                 self.close_to(at + 1);
-                Step::Go(self.index.span(span).begin)
+                LineAction::JumpTo(self.index.span(span).begin)
             }
             known => {
                 self.close_to(at);
                 if known.is_some() {
-                    return Step::Done;
+                    return LineAction::Skip;
                 }
                 // Its assignments, and its moves by a distance, may differ after the next round.
                 self.forget();
-                Step::Way(Way::LoopLeft(self.valued))
+                LineAction::Way(Way::LoopLeft(self.valued))
             }
         }
     }
 
     /// The end of a loop that runs a number of times.
-    fn again(&mut self, span: usize) -> Step {
+    fn again(&mut self, span: usize) -> LineAction {
         let Some((at, Open::Loop(_, times, rounds))) = self.opened(span) else {
             return self.unsure_loop_ends(span);
         };
         if times > 1 {
             self.close_to(at);
             self.open.push(Open::Loop(span, times - 1, rounds + 1));
-            return Step::Go(self.index.span(span).below);
+            return LineAction::JumpTo(self.index.span(span).below);
         }
         self.close_to(at);
         if times == 0 {
             self.forget();
-            return Step::Way(Way::LoopLeft(self.valued));
+            return LineAction::Way(Way::LoopLeft(self.valued));
         }
-        Step::Done
+        LineAction::Skip
     }
 
     /// Assignments of further rounds are unknown, and so are those of a branch that this round did not run.
-    fn unsure_loop_ends(&mut self, span: usize) -> Step {
+    fn unsure_loop_ends(&mut self, span: usize) -> LineAction {
         self.forget();
         if let Some((at, Open::Unsure(_))) = self.opened(span) {
             self.close_to(at);
-            return Step::Way(Way::LoopEnds(self.valued));
+            return LineAction::Way(Way::LoopEnds(self.valued));
         }
-        Step::AsWritten
+        LineAction::AsWritten
     }
 
     /// Leaves a loop with a label (true), or continues with its next round.
-    pub(super) fn leaves_loop(&mut self, label: &str, is_break: bool) -> Step {
+    pub(super) fn leaves_loop(&mut self, label: &str, is_break: bool) -> LineAction {
         let first = self.frames.last().map_or(0, |frame| frame.open);
         let own = |open: &Open| {
             let span = self.index.span(open.span());
@@ -569,21 +569,21 @@ impl Machine {
             {
                 *times = 0;
             }
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let end = self.index.span(span).end;
         if is_break {
             if end.is_some() {
                 self.close_to(at);
             }
-            return Step::to(end.map(|(_, below)| below));
+            return LineAction::to(end.map(|(_, below)| below));
         }
         self.close_to(at + 1);
-        Step::to(end.map(|(here, _)| here))
+        LineAction::to(end.map(|(here, _)| here))
     }
 
     /// Sets a variable, if that is certain. For an unknown value the reader reports that it is computed.
-    pub(super) fn sets(&mut self, key: Key, value: Value) -> Step {
+    pub(super) fn sets(&mut self, key: Key, value: Value) -> LineAction {
         let value = if self.is_sure() {
             value
         } else {
@@ -591,8 +591,8 @@ impl Machine {
         };
         self.variables.set(key, value);
         match value {
-            Value::Unknown => Step::AsWritten,
-            _ => Step::Done,
+            Value::Unknown => LineAction::AsWritten,
+            _ => LineAction::Skip,
         }
     }
 
@@ -603,7 +603,7 @@ impl Machine {
         code: &[u8],
         rest: usize,
         here: Place,
-    ) -> Step {
+    ) -> LineAction {
         let value = match keyword {
             Keyword::For => self.counts(code, rest, here),
             _ => Cursor::new(code, rest, &self.variables).value(),
@@ -644,7 +644,7 @@ impl Machine {
         arguments: Vec<(Key, Value)>,
         next: Place,
         inside: usize,
-    ) -> Option<Step> {
+    ) -> Option<LineAction> {
         let file = self.index.file_named(name).filter(|_| self.may_call())?;
         let (begin, end) = (file.begin, file.end);
         self.runs(begin, end);
@@ -652,12 +652,12 @@ impl Machine {
         if let Some(frame) = self.frames.last_mut() {
             frame.end = end;
         }
-        Some(Step::Enter(begin))
+        Some(LineAction::Enter(begin))
     }
 
     /// Ends the structures that end before a line by its indentation: the next round of a loop, or the end of an unknown condition. Each call ends those up to
     /// the first of these; `None` if nothing is left to end.
-    pub fn dedents(&mut self, line: usize) -> Option<Step> {
+    pub fn dedents(&mut self, line: usize) -> Option<LineAction> {
         while let Some(open) = self.open.last().copied() {
             let span = open.span();
             let ends_here = |(end, below): (Place, Place)| end == below && end.line == line;
@@ -672,8 +672,8 @@ impl Machine {
                 _ => self.structure_ends(span),
             };
             match step {
-                Step::Way(way) => return Some(Step::Again(way)),
-                Step::Go(_) => return Some(step),
+                LineAction::Way(way) => return Some(LineAction::Again(way)),
+                LineAction::JumpTo(_) => return Some(step),
                 _ => {}
             }
         }
@@ -701,7 +701,7 @@ impl Machine {
     }
 
     /// A block with a word that stops the program or has no effect here.
-    pub(super) fn plain_word(&self, code: &[u8]) -> Option<Step> {
+    pub(super) fn plain_word(&self, code: &[u8]) -> Option<LineAction> {
         let grammar = self.variables.grammar;
         let word = Cursor::new(code, 0, &self.variables).name()?;
         let is = |words: &[&str]| {
@@ -710,13 +710,13 @@ impl Machine {
                 .any(|known| known.as_bytes().eq_ignore_ascii_case(word))
         };
         if is(grammar.ignored) {
-            return Some(Step::Done);
+            return Some(LineAction::Skip);
         }
         is(grammar.alarms).then(|| {
             if self.is_sure() {
-                Step::Ends
+                LineAction::Ends
             } else {
-                Step::AsWritten
+                LineAction::AsWritten
             }
         })
     }
@@ -729,7 +729,7 @@ impl Machine {
         here: Place,
         next: Place,
         inside: usize,
-    ) -> Step {
+    ) -> LineAction {
         match self.language() {
             Language::Sinumerik => self.sinumerik(&statement::capitals(line), here, next),
             Language::RepRap => self.reprap(line, here, next),
@@ -758,9 +758,9 @@ impl Machine {
     }
 
     /// Treatment of the line at `here`; `inside` is the number of active M98 calls.
-    pub fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
+    pub fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> LineAction {
         if !self.begins_block(here.line) {
-            return Step::Stop;
+            return LineAction::Stop;
         }
         if let Some(step) = self.dedents(here.line) {
             return step;
@@ -772,7 +772,7 @@ impl Machine {
             .is_some_and(|frame| frame.end <= here.line)
             && let Some(back) = self.leave()
         {
-            return Step::Leave(back);
+            return LineAction::Leave(back);
         }
         let head = head(line);
         if !head.skips {
@@ -784,13 +784,15 @@ impl Machine {
         }
         if self.calls_by_words(&line[head.end..]) {
             self.leap(None, next);
-            return Step::Astray;
+            return LineAction::Astray;
         }
         let step = self.guarded(true, |machine| {
             machine.block(line, head.end, here, next, inside)
         });
         match step {
-            Step::Go(_) | Step::Done if self.language() == Language::Sinumerik => Step::AsWritten,
+            LineAction::JumpTo(_) | LineAction::Skip if self.language() == Language::Sinumerik => {
+                LineAction::AsWritten
+            }
             step => step,
         }
     }
@@ -809,7 +811,7 @@ impl Machine {
     }
 
     /// The lines of a subprogram end without a return, at the end of the text or at the next program.
-    pub fn fall_out(&mut self, at_end: bool) -> Option<Place> {
+    pub fn end_subprogram(&mut self, at_end: bool) -> Option<Place> {
         self.frames
             .last()
             .filter(|frame| at_end || !frame.ends_by_word)?;
@@ -831,13 +833,13 @@ impl Machine {
     }
 
     /// Sets the values of the control before the next block.
-    pub fn sees(&mut self, system: System) {
+    pub fn set_system(&mut self, system: System) {
         self.runs = true;
         self.variables.system = system;
     }
 
     /// Variables that were read before anything set them.
-    pub fn asks(&self) -> Vec<Ask> {
+    pub fn asks(&self) -> Vec<UnsetVariable> {
         self.variables.asks()
     }
 

@@ -2,7 +2,7 @@
 
 use crate::control::iso::lex::{end_of_value, program_number};
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::frames::Axes;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
@@ -96,24 +96,26 @@ impl Machine {
         here: Place,
         next: Place,
         inside: usize,
-    ) -> Step {
+    ) -> LineAction {
         let code = &line[begin..];
         match code.first().map(u8::to_ascii_uppercase) {
             // The next program begins: the called one has ended.
-            Some(b'O') if program_number(code).is_some() => Step::to(self.fall_out(false)),
+            Some(b'O') if program_number(code).is_some() => {
+                LineAction::to(self.end_subprogram(false))
+            }
             Some(b'O') => match o_word(code) {
                 Some(word) => self.o_word(word, code, here, next),
-                None => Step::AsWritten,
+                None => LineAction::AsWritten,
             },
             Some(b'(') if self.variables.is_linuxcnc() && aborts(code) && self.is_sure() => {
-                Step::Ends
+                LineAction::Ends
             }
-            Some(b'(' | b';' | b'%') | None => Step::AsWritten,
+            Some(b'(' | b';' | b'%') | None => LineAction::AsWritten,
             _ if is_flow(code) => self.flow(code, here, next),
             Some(b'M') if !self.variables.grammar.probing.is_empty() => {
                 match probing_move(code, self.variables.grammar.probing) {
                     Some(block) => match self.words(&block, 0) {
-                        Step::AsWritten => Step::Read(block),
+                        LineAction::AsWritten => LineAction::Read(block),
                         step => step,
                     },
                     None => self.words(line, begin),
@@ -132,21 +134,21 @@ impl Machine {
         code: &[u8],
         here: Place,
         next: Place,
-    ) -> Step {
+    ) -> LineAction {
         let value = Cursor::new(code, word.rest, &self.variables).bracketed();
         match word.keyword {
-            Keyword::Sub => Step::to(self.index.below_definition(here.line)),
+            Keyword::Sub => LineAction::to(self.index.below_definition(here.line)),
             Keyword::EndSub | Keyword::Return
                 if !self.frames.last().is_some_and(|frame| frame.ends_by_word) =>
             {
-                Step::AsWritten
+                LineAction::AsWritten
             }
             Keyword::Return if self.is_guarded() => self.may_leave(),
             Keyword::EndSub | Keyword::Return => {
                 let back = self.leave();
                 let is_returned = !code[word.rest..].trim_ascii().is_empty();
                 self.returns(value, is_returned);
-                back.map_or(Step::AsWritten, Step::Leave)
+                back.map_or(LineAction::AsWritten, LineAction::Leave)
             }
             Keyword::Call => self.o_call(code, &word, next),
             Keyword::Break => self.leaves_loop(&word.label, true),
@@ -178,7 +180,7 @@ impl Machine {
         }
     }
 
-    fn o_call(&mut self, code: &[u8], word: &Structure, next: Place) -> Step {
+    fn o_call(&mut self, code: &[u8], word: &Structure, next: Place) -> LineAction {
         let mut arguments = Vec::new();
         let mut cursor = Cursor::new(code, word.rest, &self.variables);
         while cursor.peek() == Some(b'[') {
@@ -196,15 +198,15 @@ impl Machine {
         let Some((begin, end)) = own else {
             // It may set any variable except the local ones.
             self.variables.forget_shared();
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         self.runs(begin, end);
         self.enter(next, true, 0, arguments);
-        Step::Enter(begin)
+        LineAction::Enter(begin)
     }
 
     /// `IF[…]GOTO 10`, `IF[…]THEN#1=2`, `WHILE[…]DO1`, `END1`, `GOTO 10`.
-    fn flow(&mut self, mut code: &[u8], here: Place, next: Place) -> Step {
+    fn flow(&mut self, mut code: &[u8], here: Place, next: Place) -> LineAction {
         let mut cursor = Cursor::new(code, 0, &self.variables);
         while cursor.eat("IF") {
             let holds = cursor.bracketed().and_then(Value::holds);
@@ -224,13 +226,13 @@ impl Machine {
             return self.goto(label, Some(true), next);
         }
         let Some(word) = statement::structure(code, self.variables.grammar) else {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         let value = Cursor::new(code, word.rest, &self.variables).bracketed();
         self.structure(word.keyword, value, here)
     }
 
-    fn goto(&mut self, label: Option<f64>, holds: Option<bool>, next: Place) -> Step {
+    fn goto(&mut self, label: Option<f64>, holds: Option<bool>, next: Place) -> LineAction {
         let to = label.and_then(|label| self.block_number(label, next));
         self.jump(to, holds, next)
     }
@@ -241,22 +243,22 @@ impl Machine {
     }
 
     /// The statement after THEN.
-    fn then(&mut self, rest: &[u8], holds: Option<bool>, next: Place) -> Step {
+    fn then(&mut self, rest: &[u8], holds: Option<bool>, next: Place) -> LineAction {
         if holds == Some(false) {
-            return Step::Done;
+            return LineAction::Skip;
         }
         if is_flow(rest) {
             return self.leap(None, next);
         }
         match self.guarded(holds.is_none(), |machine| machine.words(rest, 0)) {
-            Step::Done => Step::Done,
-            Step::Ends => Step::Ends,
-            _ => Step::AsWritten,
+            LineAction::Skip => LineAction::Skip,
+            LineAction::Ends => LineAction::Ends,
+            _ => LineAction::AsWritten,
         }
     }
 
     /// `G65 P100 A5. Z-3.` and `M99`: into a macro in the same text and back; `None` for any other block.
-    fn macro_word(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
+    fn macro_word(&mut self, code: &[u8], next: Place, inside: usize) -> Option<LineAction> {
         if begins(code, b"G65") {
             return self.macro_call(code, next, inside);
         }
@@ -282,11 +284,11 @@ impl Machine {
         if to.is_none() {
             self.leap(None, back);
         }
-        Some(Step::Leave(to.unwrap_or(back)))
+        Some(LineAction::Leave(to.unwrap_or(back)))
     }
 
     /// `None` if the text has no such program, repeats the call, or the arguments are not understood.
-    fn macro_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
+    fn macro_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<LineAction> {
         let mut arguments: Vec<(Key, Value)> = Vec::new();
         let mut program = None;
         let mut centers = [0; 3];
@@ -322,21 +324,21 @@ impl Machine {
             .filter(|_| self.may_call())?;
         self.runs(begin, end);
         self.enter(next, false, inside, arguments);
-        Some(Step::Enter(begin))
+        Some(LineAction::Enter(begin))
     }
 
     /// A block of words: known values in it become numbers, and its assignments are made.
-    pub(super) fn words(&mut self, line: &[u8], begin: usize) -> Step {
+    pub(super) fn words(&mut self, line: &[u8], begin: usize) -> LineAction {
         let computes = |b: &u8| matches!(b, b'#' | b'[' | b'@' | b'{');
         if !line[begin..].iter().any(computes) {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let Some((out, sets, valued)) = self.expanded(line, begin) else {
             // Its assignments may be to any variable.
             if line.contains(&b'=') {
                 self.forget();
             }
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         };
         self.valued |= valued;
         let linuxcnc = self.variables.is_linuxcnc();
@@ -345,7 +347,7 @@ impl Machine {
         // An alarm with a message: the program stops.
         let alarm = !linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
         if alarm && self.is_sure() {
-            return Step::Ends;
+            return LineAction::Ends;
         }
         let known = sure
             && sets
@@ -363,13 +365,13 @@ impl Machine {
         }
         match out[begin..].trim_ascii().is_empty() {
             // Another finding reports the division by zero.
-            true if assigns && (known || self.variables.has_divided()) => Step::Done,
+            true if assigns && (known || self.variables.has_divided()) => LineAction::Skip,
             // The reader reports an assignment of an unknown value. It would treat `@` as a polar radius.
             true if assigns && self.variables.grammar.language == Language::Lnc => {
-                Step::Read(b"#0=#0".to_vec())
+                LineAction::Read(b"#0=#0".to_vec())
             }
-            true if assigns => Step::AsWritten,
-            _ => Step::Read(out),
+            true if assigns => LineAction::AsWritten,
+            _ => LineAction::Read(out),
         }
     }
 

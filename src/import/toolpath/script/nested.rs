@@ -2,7 +2,7 @@
 
 use crate::control::native::tool_name;
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::Keyword;
@@ -19,11 +19,11 @@ impl Machine {
         here: Place,
         next: Place,
         inside: usize,
-    ) -> Step {
+    ) -> LineAction {
         let plain = without_comment(line, self.variables.grammar.comment);
         let code = plain.get(begin..).unwrap_or_default();
         if code.is_empty() {
-            return Step::Done;
+            return LineAction::Skip;
         }
         if let Some(word) = structure(code, self.variables.grammar) {
             return match word.keyword {
@@ -42,13 +42,13 @@ impl Machine {
         }
         match self.macro_block(plain, begin, here, next, inside) {
             // The reader understands it without its comment.
-            Step::AsWritten if plain.len() < line.len() => Step::Read(plain.to_vec()),
+            LineAction::AsWritten if plain.len() < line.len() => LineAction::Read(plain.to_vec()),
             step => step,
         }
     }
 
     /// `G65 "PROBEX" A54. B10.` of an LNC: the letters from A on are #1, #2 and so on.
-    fn named_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
+    fn named_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<LineAction> {
         if !begins(code, b"G65") {
             return None;
         }
@@ -77,7 +77,7 @@ impl Machine {
     }
 
     /// A word of an LNC that writes a register: `W_G53G59_COOR[0,54,1,#106]`, axes from 1.
-    fn register(&mut self, code: &[u8]) -> Option<Step> {
+    fn register(&mut self, code: &[u8]) -> Option<LineAction> {
         let mut cursor = Cursor::new(code, 0, &self.variables);
         let name = cursor.name()?.to_ascii_uppercase();
         let name = name.strip_prefix(b"W_")?;
@@ -102,6 +102,6 @@ impl Machine {
         let value = number(values.len().saturating_sub(1));
         let value = if self.is_sure() { value } else { f64::NAN };
         self.written.push((written, value));
-        Some(Step::Done)
+        Some(LineAction::Skip)
     }
 }

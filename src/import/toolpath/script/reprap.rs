@@ -1,7 +1,7 @@
 //! RepRapFirmware's meta commands, by its documentation: names, expressions in braces, structures by indentation.
 
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::Keyword;
@@ -10,10 +10,10 @@ use crate::import::toolpath::script::statement::{begins, structure, without_comm
 use crate::import::toolpath::script::variables::Value;
 
 impl Machine {
-    pub(super) fn reprap(&mut self, line: &[u8], here: Place, next: Place) -> Step {
+    pub(super) fn reprap(&mut self, line: &[u8], here: Place, next: Place) -> LineAction {
         let code = without_comment(line, None);
         if code.is_empty() {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let rounds = self.rounds(here);
         self.variables
@@ -33,7 +33,9 @@ impl Machine {
             if self.is_guarded() {
                 return self.may_leave();
             }
-            return self.leave().map_or(Step::AsWritten, Step::Leave);
+            return self
+                .leave()
+                .map_or(LineAction::AsWritten, LineAction::Leave);
         }
         self.file_call(code, next)
             .or_else(|| self.named_value(code))
@@ -41,7 +43,7 @@ impl Machine {
     }
 
     /// `M98 P"probe.g" X5`, and a code that is a file: `G6550 X5` runs G6550.g. Its letters are `param.X` there.
-    fn file_call(&mut self, code: &[u8], next: Place) -> Option<Step> {
+    fn file_call(&mut self, code: &[u8], next: Place) -> Option<LineAction> {
         let is_word = |b: &&u8| b.is_ascii_alphanumeric() || **b == b'.';
         let word = &code[..code.iter().take_while(is_word).count()];
         let (name, rest) = if begins(code, b"M98") {
@@ -60,7 +62,7 @@ impl Machine {
     }
 
     /// `var x = 5`, `global x = 5`, `set var.x = 6`.
-    fn named_value(&mut self, code: &[u8]) -> Option<Step> {
+    fn named_value(&mut self, code: &[u8]) -> Option<LineAction> {
         let mut cursor = Cursor::new(code, 0, &self.variables);
         let scope = ["var", "global", "set"]
             .into_iter()

@@ -1,7 +1,7 @@
 //! SINUMERIK: its words after those of structures, by its programming manual.
 
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::machine::Machine;
@@ -14,10 +14,10 @@ use crate::num::decimal;
 const JUMPS: [&str; 4] = ["GOTOF", "GOTOB", "GOTOC", "GOTO"];
 
 impl Machine {
-    pub(super) fn sinumerik(&mut self, line: &[u8], here: Place, next: Place) -> Step {
+    pub(super) fn sinumerik(&mut self, line: &[u8], here: Place, next: Place) -> LineAction {
         let code = without_label(line);
         if code.is_empty() {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let mut cursor = Cursor::new(code, 0, &self.variables);
         if let Some(word) = structure(code, self.variables.grammar) {
@@ -27,7 +27,7 @@ impl Machine {
             let holds = cursor.value().and_then(Value::holds);
             return match jump(&mut cursor) {
                 Some(label) => self.goto_label(&label, holds, next),
-                None => Step::AsWritten,
+                None => LineAction::AsWritten,
             };
         }
         if let Some(label) = jump(&mut cursor) {
@@ -45,7 +45,9 @@ impl Machine {
         if cursor.eat("RET") || is_inside && (cursor.eat("M17") || cursor.eat("M99")) {
             return match self.is_guarded() {
                 true => self.may_leave(),
-                false => self.leave().map_or(Step::AsWritten, Step::Leave),
+                false => self
+                    .leave()
+                    .map_or(LineAction::AsWritten, LineAction::Leave),
             };
         }
         if let Some(step) = self.plain_word(code) {
@@ -55,13 +57,13 @@ impl Machine {
             .unwrap_or_else(|| self.assignments(code))
     }
 
-    fn goto_label(&mut self, label: &str, holds: Option<bool>, next: Place) -> Step {
+    fn goto_label(&mut self, label: &str, holds: Option<bool>, next: Place) -> LineAction {
         let to = self.index.target(label, next.line);
         self.jump(to, holds, next)
     }
 
     /// `CASE R1 OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`.
-    fn case(&mut self, code: &[u8], at: usize, next: Place) -> Step {
+    fn case(&mut self, code: &[u8], at: usize, next: Place) -> LineAction {
         let mut cursor = Cursor::new(code, at, &self.variables);
         let value = cursor.value().and_then(Value::number);
         let mut is_known = cursor.eat("OF") && value.is_some();
@@ -79,15 +81,15 @@ impl Machine {
             }
         }
         if is_known {
-            return Step::Done;
+            return LineAction::Skip;
         }
         // It may continue at any of the labels.
         self.leap(None, next);
-        Step::Astray
+        LineAction::Astray
     }
 
     /// `DEF REAL A, B=5, C[3]=SET(1, 2)`.
-    fn define(&mut self, code: &[u8], at: usize) -> Step {
+    fn define(&mut self, code: &[u8], at: usize) -> LineAction {
         const TYPES: [&str; 7] = ["REAL", "INT", "BOOL", "CHAR", "STRING", "AXIS", "FRAME"];
         const LONGEST: usize = 1000;
         let mut defined: Vec<(Key, Value)> = Vec::new();
@@ -129,11 +131,11 @@ impl Machine {
         for (key, value) in defined {
             self.variables.define(key, value);
         }
-        Step::Done
+        LineAction::Skip
     }
 
     /// A subprogram of the same text: `MEASURE(5, R1)`.
-    fn call_by_name(&mut self, code: &[u8], next: Place) -> Option<Step> {
+    fn call_by_name(&mut self, code: &[u8], next: Place) -> Option<LineAction> {
         let mut cursor = Cursor::new(code, 0, &self.variables);
         let name = String::from_utf8_lossy(cursor.name()?).into_owned();
         let own = self
@@ -153,13 +155,13 @@ impl Machine {
         let arguments = arguments.collect();
         self.runs(own.begin, own.end);
         self.enter(next, false, 0, arguments);
-        Some(Step::Enter(own.begin))
+        Some(LineAction::Enter(own.begin))
     }
 
     /// A block of words: known values in it become numbers, and its assignments are made.
-    fn assignments(&mut self, code: &[u8]) -> Step {
+    fn assignments(&mut self, code: &[u8]) -> LineAction {
         if !code.contains(&b'=') {
-            return Step::AsWritten;
+            return LineAction::AsWritten;
         }
         let mut out: Vec<u8> = Vec::with_capacity(code.len());
         let (mut known, mut assigns, mut at) = (true, false, 0);
@@ -225,15 +227,15 @@ impl Machine {
             let (Some(value), false) = (value, key == Key::Unknown) else {
                 // It may be any of them, or the text is not understood.
                 self.forget();
-                return Step::AsWritten;
+                return LineAction::AsWritten;
             };
             known &= value != Value::Unknown;
             self.assign(key, value);
         }
         match out.trim_ascii().is_empty() {
-            true if assigns && known => Step::Done,
-            true if assigns => Step::AsWritten,
-            _ => Step::Read(out.trim_ascii().to_vec()),
+            true if assigns && known => LineAction::Skip,
+            true if assigns => LineAction::AsWritten,
+            _ => LineAction::Read(out.trim_ascii().to_vec()),
         }
     }
 

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::import::toolpath::key::Key;
-use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::known::UnsetVariable;
 use crate::import::toolpath::script::grammar::{Grammar, Language};
 use crate::import::toolpath::system::System;
 
@@ -142,12 +142,12 @@ impl Variables {
     }
 
     /// Variables that were read before anything set them.
-    pub fn asks(&self) -> Vec<Ask> {
+    pub fn asks(&self) -> Vec<UnsetVariable> {
         let asked = self.asked.borrow();
         asked
             .iter()
             .filter_map(|(key, lines)| {
-                Some(Ask {
+                Some(UnsetVariable {
                     name: key.name(self.grammar.language)?,
                     lines: lines.clone(),
                 })

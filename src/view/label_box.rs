@@ -7,7 +7,7 @@ use crate::view::scene::{Scene, Stroke};
 
 /// A box for a text, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plate {
+pub struct LabelBox {
     pub middle: Vec2,
     /// Reading direction, a unit vector.
     pub along: Vec2,
@@ -15,7 +15,7 @@ pub struct Plate {
     pub half: Vec2,
 }
 
-impl Plate {
+impl LabelBox {
     /// A position relative to the middle of the plate, along and across it.
     fn own(&self, at: Vec2) -> Vec2 {
         let off = at - self.middle;
@@ -35,7 +35,7 @@ impl Plate {
     }
 
     /// Whether two plates overlap: compares with the middle line of the other one, as thick as its height.
-    pub fn meets(&self, other: &Plate) -> bool {
+    pub fn meets(&self, other: &LabelBox) -> bool {
         let far = other.along * (other.half.x - other.half.y).max(0.0);
         self.crosses([other.middle - far, other.middle + far], other.half.y)
     }
@@ -77,7 +77,7 @@ const MOST: usize = 2000;
 
 /// Everything else in a picture, pixels.
 #[derive(Clone, Debug, Default)]
-pub struct Crowd {
+pub struct OccupiedSpace {
     /// The moves without the search past a contact, and the extent of the ball on both sides.
     lines: Vec<([Vec2; 2], f64)>,
     /// Balls and other round items.
@@ -86,13 +86,13 @@ pub struct Crowd {
     walls: Vec<[Vec2; 4]>,
     beside: f64,
     /// Work axes and scale bar.
-    corners: Vec<Plate>,
+    corners: Vec<LabelBox>,
     /// Placed texts.
-    pub plates: Vec<Plate>,
+    pub plates: Vec<LabelBox>,
     size: Vec2,
 }
 
-impl Crowd {
+impl OccupiedSpace {
     /// Moves, balls at their contacts, origin, and in their corners the work axes and the scale bar.
     pub fn of(scene: &Scene, camera: &Camera) -> Self {
         let Vec2 {
@@ -102,7 +102,7 @@ impl Crowd {
         let unit = scene.unit.unwrap_or(1.0);
         let corner = |x: f64, wide: f64, high: f64| {
             let half = Vec2::new(wide, high) / 2.0;
-            Plate {
+            LabelBox {
                 middle: Vec2::new(x + half.x, height - half.y),
                 along: Vec2::X,
                 half,
@@ -112,11 +112,11 @@ impl Crowd {
         let bar = camera.bar(unit) * unit * camera.scale + 2.0 * BAR_CORNER;
         let corners = vec![corner(0.0, axes, axes), corner(width - bar, bar, BAR_REACH)];
         let beside = if scene.material.is_empty() { 1.0 } else { BAND };
-        let mut crowd = Crowd {
+        let mut crowd = OccupiedSpace {
             size: camera.size,
             corners,
             beside,
-            ..Crowd::default()
+            ..OccupiedSpace::default()
         };
         let radius = scene.radius * camera.scale;
         for line in scene
@@ -154,7 +154,7 @@ impl Crowd {
     }
 
     /// Whether a plate covers nothing but the axes' corner.
-    pub fn leaves(&self, plate: &Plate) -> bool {
+    pub fn leaves(&self, plate: &LabelBox) -> bool {
         let edges = |wall: &[Vec2; 4]| {
             (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], self.beside))
         };
@@ -169,9 +169,9 @@ impl Crowd {
     }
 
     /// Cost of what a plate covers: another plate, or the picture's edge, is worst, a move least.
-    pub fn cost(&self, plate: &Plate) -> f64 {
+    pub fn cost(&self, plate: &LabelBox) -> f64 {
         let count = |many: usize, each: f64| many as f64 * each;
-        let met = |others: &[Plate]| others.iter().filter(|other| plate.meets(other)).count();
+        let met = |others: &[LabelBox]| others.iter().filter(|other| plate.meets(other)).count();
         count(
             usize::from(!plate.bounds().iter().all(|at| self.sees(at))),
             CUT_OFF,

@@ -11,11 +11,11 @@ use std::hash::Hasher;
 use rustc_hash::FxHasher;
 
 use crate::control::iso::script::{Block, BlockKind, Node, NodeId, Script, Slot};
-use crate::control::iso::targets::{Later, Targets};
+use crate::control::iso::targets::{BackReference, Targets};
 
 /// Reader that a line belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hand {
+pub enum ReaderId {
     LinuxCnc,
     Grbl,
     Fanuc,
@@ -38,12 +38,12 @@ const MOST_KNOWN: usize = 8000;
 const NOT_YET: Slot = Slot::MAX;
 
 thread_local! {
-    static MEMORY: Cell<Option<Box<Memory>>> = const { Cell::new(None) };
+    static MEMORY: Cell<Option<Box<LineCache>>> = const { Cell::new(None) };
     static OFF: Cell<bool> = const { Cell::new(false) };
 }
 
 /// Runs `work` without the cache: the slow counterpart for comparison.
-pub fn without<T>(work: impl FnOnce() -> T) -> T {
+pub fn without_cache<T>(work: impl FnOnce() -> T) -> T {
     let before = OFF.replace(true);
     let done = work();
     OFF.set(before);
@@ -58,7 +58,7 @@ type Part = (u8, u8);
 struct Line {
     text: Box<str>,
     /// Reader, and the position that the meaning depends on.
-    place: (Hand, u8),
+    place: (ReaderId, u8),
     begins: bool,
     /// Names with their numbers in the cache.
     names: Box<[(Part, u32)]>,
@@ -71,7 +71,7 @@ struct Line {
 }
 
 #[derive(Debug)]
-pub struct Memory {
+pub struct LineCache {
     lines: Vec<Option<Box<Line>>>,
     /// Hashes of lines that came once, in the same pairs. A line is stored when it comes again; most new lines never do.
     once: Vec<u32>,
@@ -82,32 +82,34 @@ pub struct Memory {
 
 /// Sizes of a script before a line.
 #[derive(Clone, Copy, Debug)]
-pub struct Before {
+pub struct Checkpoint {
     nodes: usize,
     blocks: usize,
     known: usize,
     wanted: usize,
 }
 
-impl Before {
+impl Checkpoint {
     pub fn of(script: &mut Script<'_>, targets: &Targets<'_>) -> Self {
         script.asked.clear();
-        Before {
+        Checkpoint {
             nodes: script.nodes.len(),
             blocks: script.blocks.len(),
-            known: targets.known.len(),
-            wanted: targets.wanted.len(),
+            known: targets.definitions.len(),
+            wanted: targets.references.len(),
         }
     }
 }
 
-impl Memory {
+impl LineCache {
     /// The cache of this thread, taken until it is put back. `None` if every line is to be read anew.
     pub fn take() -> Option<Box<Self>> {
         if OFF.get() {
             return None;
         }
-        let mut own = MEMORY.take().unwrap_or_else(|| Box::new(Memory::empty()));
+        let mut own = MEMORY
+            .take()
+            .unwrap_or_else(|| Box::new(LineCache::empty()));
         own.slots.fill(NOT_YET);
         Some(own)
     }
@@ -119,7 +121,7 @@ impl Memory {
     }
 
     fn empty() -> Self {
-        Memory {
+        LineCache {
             lines: vec![None; LINES],
             once: vec![0; LINES],
             names: BTreeMap::new(),
@@ -131,7 +133,7 @@ impl Memory {
     pub fn put<'t>(
         &mut self,
         (line, text): (usize, &'t str),
-        place: (Hand, u8),
+        place: (ReaderId, u8),
         script: &mut Script<'t>,
         targets: &mut Targets<'t>,
     ) -> Option<bool> {
@@ -162,12 +164,12 @@ impl Memory {
             });
         }
         if let Some((label, block)) = own.known {
-            targets.known.push((part(label), here + block));
+            targets.definitions.push((part(label), here + block));
         }
         if let Some((label, block)) = own.wanted {
-            targets.wanted.push((here + block, part(label)));
+            targets.references.push((here + block, part(label)));
         }
-        targets.later = own.later.map(|(what, label)| Later {
+        targets.later = own.later.map(|(what, label)| BackReference {
             what,
             label: part(label),
         });
@@ -178,8 +180,8 @@ impl Memory {
     pub fn keep(
         &mut self,
         text: &str,
-        (place, begins): ((Hand, u8), bool),
-        before: Before,
+        (place, begins): ((ReaderId, u8), bool),
+        before: Checkpoint,
         script: &Script<'_>,
         targets: &Targets<'_>,
     ) {
@@ -198,16 +200,16 @@ impl Memory {
     fn line(
         &mut self,
         text: &str,
-        (place, begins): ((Hand, u8), bool),
-        before: Before,
+        (place, begins): ((ReaderId, u8), bool),
+        before: Checkpoint,
         script: &Script<'_>,
         targets: &Targets<'_>,
     ) -> Option<Line> {
         let nodes = &script.nodes[before.nodes..];
         let blocks = &script.blocks[before.blocks..];
         let (known, wanted) = (
-            &targets.known[before.known..],
-            &targets.wanted[before.wanted..],
+            &targets.definitions[before.known..],
+            &targets.references[before.wanted..],
         );
         if nodes.len() > MOST_NODES
             || script.asked.len() > MOST_NODES
@@ -227,7 +229,7 @@ impl Memory {
             return None;
         }
         if self.names.len() + MOST_NAMES > MOST_KNOWN {
-            *self = Memory::empty();
+            *self = LineCache::empty();
         }
         let labelled =
             |label: &[u8], block: usize| Some((part_of(text, label)?, block - before.blocks));
@@ -296,7 +298,7 @@ impl Memory {
 }
 
 /// Hash by which a line is found before it is compared; `None` for a line that is never stored.
-fn hashed(text: &str, (hand, more): (Hand, u8)) -> Option<u32> {
+fn hashed(text: &str, (hand, more): (ReaderId, u8)) -> Option<u32> {
     if !(1..=LONGEST).contains(&text.len()) {
         return None;
     }
@@ -381,7 +383,7 @@ fn moved(kind: &BlockKind, by: u32, blocks: usize, slot: &dyn Fn(Slot) -> Slot) 
 
 #[cfg(test)]
 mod tests {
-    use super::{LINES, MOST_KNOWN, Memory, without};
+    use super::{LINES, LineCache, MOST_KNOWN, without_cache};
     use crate::control::{POSTS, Reader};
 
     fn reader(post: &str) -> Reader {
@@ -394,23 +396,23 @@ mod tests {
 
     /// Numbers of stored lines and known names. Both are bounded.
     fn kept() -> (usize, usize) {
-        let own = Memory::take();
+        let own = LineCache::take();
         let kept = own.as_ref().map_or((0, 0), |own| {
             (own.lines.iter().flatten().count(), own.names.len())
         });
-        Memory::give_back(own);
+        LineCache::give_back(own);
         assert!(kept.0 <= LINES && kept.1 <= MOST_KNOWN, "{kept:?}");
         kept
     }
 
     fn forget() {
-        Memory::give_back(Some(Box::new(Memory::empty())));
+        LineCache::give_back(Some(Box::new(LineCache::empty())));
     }
 
     /// Without cache, with lines that came once, and with stored lines: always the same result.
     fn same(post: &str, text: &str) {
         let read = reader(post);
-        let anew = without(|| read(text));
+        let anew = without_cache(|| read(text));
         for round in 0..4 {
             assert_eq!(read(text), anew, "{post}, round {round}:\n{text}");
         }

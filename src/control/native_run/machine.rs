@@ -57,7 +57,7 @@ pub struct ExecutedMove {
     /// Arc of the move; `None` is straight.
     pub arc: Option<Arc>,
     /// Ordinal among the moves that the calls make, including those without length: the same on any part.
-    pub count: usize,
+    pub ordinal: usize,
 }
 
 /// A stop this close to a position counts as reaching it, mm.
@@ -100,7 +100,7 @@ impl<'w> Machine<'w> {
             met,
             rate,
             arc: None,
-            count: self.count,
+            ordinal: self.count,
         });
         self.count += 1;
     }

@@ -1,10 +1,12 @@
 //! Recognises the control of a text by syntax that is unique to it.
 
-use crate::control::iso::lex::{after, lines_of, trimmed, without_count, without_number};
+use crate::control::iso::lex::{
+    lines_of, strip_prefix_nocase, trimmed, without_count, without_number,
+};
 
 /// Syntax that is unique to a control or a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
+pub enum DialectMarker {
     /// Names in `#< >`, O words: LinuxCNC.
     LinuxCnc,
     /// `G38.2` and related codes: LinuxCNC, grbl and compatible controls.
@@ -39,20 +41,20 @@ const O_WORDS: [&str; 14] = [
 const REP_RAP: [&str; 3] = ["param.", "global.", "var."];
 
 /// First sign in a text. A code of a probing move is weaker evidence than the others.
-pub fn of(text: &str) -> Option<Sign> {
+pub fn of(text: &str) -> Option<DialectMarker> {
     let mut probing = None;
     for line in lines_of(text).map(trimmed) {
-        if after(without_count(without_number(line)), "BEGIN PGM").is_some() {
-            return Some(Sign::Klartext);
+        if strip_prefix_nocase(without_count(without_number(line)), "BEGIN PGM").is_some() {
+            return Some(DialectMarker::Klartext);
         }
         let code = code_of(line);
         if is_linuxcnc(code) {
-            return Some(Sign::LinuxCnc);
+            return Some(DialectMarker::LinuxCnc);
         }
         // A leading brace is incomplete JSON.
         let braced = code.contains('{') && code.starts_with(|c: char| c.is_ascii_alphabetic());
         if braced || REP_RAP.iter().any(|word| code.contains(word)) {
-            return Some(Sign::RepRap);
+            return Some(DialectMarker::RepRap);
         }
         probing = probing.or_else(|| probes(code));
     }
@@ -76,12 +78,12 @@ fn is_linuxcnc(code: &str) -> bool {
 }
 
 /// Whether the text contains a code of a probing move: `G38.2`, `G31`.
-fn probes(code: &str) -> Option<Sign> {
+fn probes(code: &str) -> Option<DialectMarker> {
     let bytes = code.as_bytes();
     memchr::memchr2_iter(b'G', b'g', bytes).find_map(|at| match bytes[at + 1..] {
-        [b'3', b'8', b'.', b'2'..=b'9', ..] => Some(Sign::Rs274),
-        [b'3', b'1'] => Some(Sign::LikeFanuc),
-        [b'3', b'1', next, ..] if !next.is_ascii_digit() => Some(Sign::LikeFanuc),
+        [b'3', b'8', b'.', b'2'..=b'9', ..] => Some(DialectMarker::Rs274),
+        [b'3', b'1'] => Some(DialectMarker::LikeFanuc),
+        [b'3', b'1', next, ..] if !next.is_ascii_digit() => Some(DialectMarker::LikeFanuc),
         _ => None,
     })
 }
@@ -105,20 +107,20 @@ mod tests {
     #[test]
     fn a_sign_counts_outside_of_comments_and_texts() {
         for (text, sign) in [
-            ("(right)\no<a> sub\n", Some(Sign::LinuxCnc)),
+            ("(right)\no<a> sub\n", Some(DialectMarker::LinuxCnc)),
             ("{ \"format\": 1, \"cycle\"", None),
             ("{{{{", None),
-            ("G1 X{var.x}\n", Some(Sign::RepRap)),
-            ("N5 O100 if [#1 EQ 2]\n", Some(Sign::LinuxCnc)),
-            ("#<x>=1\n", Some(Sign::LinuxCnc)),
-            ("G38.2 Z-5\n#<x>=1\n", Some(Sign::LinuxCnc)),
-            ("G21\ng38.3z-5\n", Some(Sign::Rs274)),
-            ("O100 (SUB)\nG31Z-5.\n", Some(Sign::LikeFanuc)),
-            ("N1G31.1 Z-5.\n", Some(Sign::LikeFanuc)),
-            ("(A) (B) G31 Z-5. (G38.2)\n", Some(Sign::LikeFanuc)),
-            ("0  BEGIN PGM A MM\n", Some(Sign::Klartext)),
-            ("if {param.X} > 3\n", Some(Sign::RepRap)),
-            ("var x = param.X\n", Some(Sign::RepRap)),
+            ("G1 X{var.x}\n", Some(DialectMarker::RepRap)),
+            ("N5 O100 if [#1 EQ 2]\n", Some(DialectMarker::LinuxCnc)),
+            ("#<x>=1\n", Some(DialectMarker::LinuxCnc)),
+            ("G38.2 Z-5\n#<x>=1\n", Some(DialectMarker::LinuxCnc)),
+            ("G21\ng38.3z-5\n", Some(DialectMarker::Rs274)),
+            ("O100 (SUB)\nG31Z-5.\n", Some(DialectMarker::LikeFanuc)),
+            ("N1G31.1 Z-5.\n", Some(DialectMarker::LikeFanuc)),
+            ("(A) (B) G31 Z-5. (G38.2)\n", Some(DialectMarker::LikeFanuc)),
+            ("0  BEGIN PGM A MM\n", Some(DialectMarker::Klartext)),
+            ("if {param.X} > 3\n", Some(DialectMarker::RepRap)),
+            ("var x = param.X\n", Some(DialectMarker::RepRap)),
             (
                 "G38 X1\nG310 X1\n(G38.2 #<x> {)\n; G31\n\"G31\"\nO100\nG1 X5\n",
                 None,

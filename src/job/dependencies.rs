@@ -7,10 +7,10 @@ use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Formula, Role, Variable};
 use crate::geom::{Plane, Vec3};
 use crate::job::Job;
-use crate::job::planned::{Planned, several};
+use crate::job::planned::{PlannedJob, several};
 use crate::job::relations::Relations;
 use crate::num::{decimal, tidy, wrap_degrees};
-use crate::part::Run;
+use crate::part::PartRun;
 use crate::path::{
     Dependencies, MovePurpose, Path, ResultSource, Shifts, SizeSensitivity, ZERO_LENGTH, far_apart,
 };
@@ -21,13 +21,13 @@ use crate::{formula, part};
 pub const LONGEST_PLACE: usize = 64;
 
 /// A parsed text: name of the result, and the added number in the job's units.
-struct Sum<'t> {
+struct ResultExpression<'t> {
     name: &'t str,
     added: f64,
 }
 
-impl<'t> Sum<'t> {
-    fn of(text: &'t str) -> Option<Sum<'t>> {
+impl<'t> ResultExpression<'t> {
+    fn of(text: &'t str) -> Option<ResultExpression<'t>> {
         // Other white space is lost in a header.
         let inner = text
             .trim_matches(' ')
@@ -47,7 +47,7 @@ impl<'t> Sum<'t> {
             }
             _ => None,
         };
-        Some(Sum {
+        Some(ResultExpression {
             name: name.trim_matches(' '),
             added: added?,
         })
@@ -57,7 +57,7 @@ impl<'t> Sum<'t> {
 
 /// The text with another number, such as in other units. `None` for any text but a sum of a result and a number.
 pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
-    let Sum { name, added } = Sum::of(text)?;
+    let ResultExpression { name, added } = ResultExpression::of(text)?;
     let added = change(added);
     let sign = if added < 0.0 { "-" } else { "+" };
     Some(if added == 0.0 {
@@ -68,7 +68,7 @@ pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
 }
 
 /// Results that a cycle can follow.
-pub struct Earlier<'a> {
+pub struct EarlierCycles<'a> {
     /// Joined path of the earlier cycles, with the relations that cycles follow.
     pub path: &'a Path,
     pub relations: &'a Relations<'a>,
@@ -91,27 +91,27 @@ pub fn followed(cycles: &[Value]) -> Vec<&str> {
         other => std::slice::from_ref(other),
     });
     texts
-        .filter_map(|text| Sum::of(result_text(text)?))
+        .filter_map(|text| ResultExpression::of(result_text(text)?))
         .filter_map(|sum| sum.name.split('.').next())
         .collect()
 }
 
 /// Dependencies of a cycle whose sizes are not tried yet.
 #[derive(Debug, Default)]
-pub struct Wanted {
+pub struct PendingDependencies {
     pub follows: Dependencies,
     /// Keys of the sizes that follow a result, with the indices of the results.
     sizes: Vec<(String, usize)>,
 }
 
 /// Replaces each followed result of cycle `index` by its nominal value, and reports faults. On a fault the cycle is read on with 0, or with the default size.
-pub fn take(
+pub fn read_dependencies(
     checker: &mut Checker,
     single: &mut Value,
     index: usize,
-    earlier: &Earlier<'_>,
-) -> Wanted {
-    let mut wanted = Wanted::default();
+    earlier: &EarlierCycles<'_>,
+) -> PendingDependencies {
+    let mut wanted = PendingDependencies::default();
     let Some(entries) = cycle_of(single) else {
         return wanted;
     };
@@ -134,7 +134,7 @@ pub fn take(
                         continue;
                     };
                     let path = format!("cycles[{index}].origin[{axis}]");
-                    let found = one(checker, text, (Kind::Place(axis), &path), earlier);
+                    let found = read_expression(checker, text, (Kind::Place(axis), &path), earlier);
                     *item = Value::Number(found.as_ref().map_or(0.0, |found| found.nominal));
                     places[axis] = found;
                 }
@@ -144,7 +144,7 @@ pub fn take(
                     continue;
                 };
                 let path = format!("cycles[{index}].rotation");
-                let found = one(checker, text, (Kind::Rotation, &path), earlier);
+                let found = read_expression(checker, text, (Kind::Rotation, &path), earlier);
                 *value = Value::Number(
                     found
                         .as_ref()
@@ -157,7 +157,7 @@ pub fn take(
                     continue;
                 };
                 let path = format!("cycles[{index}].{key}");
-                let found = one(checker, text, (Kind::Size, &path), earlier);
+                let found = read_expression(checker, text, (Kind::Size, &path), earlier);
                 // If it is unknown the cycle is read on with the default.
                 *value = Value::Number(found.as_ref().map_or(0.0, |found| found.nominal));
                 if found.is_none() {
@@ -216,7 +216,7 @@ enum Kind {
 }
 
 /// A followed result.
-struct Found {
+struct FollowedResult {
     /// Its index in the joined path.
     of: usize,
     /// Value for the cycle on the nominal part, in the job's units or degrees.
@@ -226,13 +226,13 @@ struct Found {
 }
 
 /// Reads one text: the followed result and its nominal value.
-fn one(
+fn read_expression(
     checker: &mut Checker,
     text: &str,
     (kind, path): (Kind, &str),
-    earlier: &Earlier<'_>,
-) -> Option<Found> {
-    let Some(Sum { name, added }) = Sum::of(text) else {
+    earlier: &EarlierCycles<'_>,
+) -> Option<FollowedResult> {
+    let Some(ResultExpression { name, added }) = ResultExpression::of(text) else {
         checker.error("place-of-result", path, not_a_sum(text, kind));
         return None;
     };
@@ -259,7 +259,7 @@ fn one(
         Kind::Rotation => 1.0,
         Kind::Place(_) | Kind::Size => job.scale,
     };
-    Some(Found {
+    Some(FollowedResult {
         of: result.index,
         nominal: tidy(result.nominal / unit + added),
         place: result.nominal,
@@ -286,7 +286,7 @@ fn not_a_sum(text: &str, kind: Kind) -> Text {
 }
 
 /// The result with this name and kind, or the reason why there is none.
-fn find(name: &str, kind: Kind, earlier: &Earlier<'_>) -> Result<Known, Text> {
+fn find(name: &str, kind: Kind, earlier: &EarlierCycles<'_>) -> Result<Known, Text> {
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
     let is_code = |known: &str| code.eq_ignore_ascii_case(known);
     let letter = ["x", "y", "z"].iter().position(|known| is_code(known));
@@ -455,14 +455,14 @@ fn known(formula: &Formula, own: &ResultSource<'_>, axes: [usize; 3], kind: Kind
 
 /// Resolves the dependencies of a planned cycle: centre of its rotation, and sensitivity of its moves to its sizes. Reports what it cannot follow. `single` is
 /// the job of this cycle with nominal values, `earlier` the path of the earlier cycles.
-pub fn settle(
+pub fn resolve_dependencies(
     checker: &mut Checker,
-    wanted: Wanted,
+    wanted: PendingDependencies,
     (index, single): (usize, &Value),
-    planned: &Planned,
+    planned: &PlannedJob,
     earlier: &Path,
 ) -> Dependencies {
-    let Wanted { mut follows, sizes } = wanted;
+    let PendingDependencies { mut follows, sizes } = wanted;
     let origin = planned.path.frame.origin;
     let [a, o, _] = planned.job.setup.plane.axes();
     // About the position that it follows, where that is on the part; else about its own.
@@ -497,8 +497,8 @@ pub fn settle(
 }
 
 /// Checks whether a cycle can be rotated about a position, and how far that moves it.
-fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usize) {
-    let Planned { path, job, .. } = planned;
+fn check_turn(checker: &mut Checker, planned: &PlannedJob, about: Vec3, index: usize) {
+    let PlannedJob { path, job, .. } = planned;
     let field = || format!("cycles[{index}].rotation");
     let arcs = path.moves.iter().any(|step| step.arc.is_some());
     if arcs || !path.formula.can_turn() {
@@ -524,11 +524,11 @@ fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usiz
 /// Sensitivity of a cycle's moves to a size, tried at both ends of its limit, or the reason why there is none.
 fn along(
     checker: &Checker,
-    planned: &Planned,
+    planned: &PlannedJob,
     single: &Value,
     key: &str,
 ) -> Result<SizeSensitivity, Text> {
-    let Planned { path, job, .. } = planned;
+    let PlannedJob { path, job, .. } = planned;
     let limit = job.limits.size.unwrap_or(0.0);
     let at = |by: f64| {
         resized(single, key, by / job.scale).map_err(|why| {
@@ -563,8 +563,8 @@ fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
     let mut own = Checker::default();
     let planned = Job::read(&mut own, &single)
         .filter(|_| !own.failed())
-        .map(Planned::of);
-    let Some(Planned { path, job, .. }) = planned else {
+        .map(PlannedJob::of);
+    let Some(PlannedJob { path, job, .. }) = planned else {
         let mut errors = own
             .findings()
             .into_iter()
@@ -573,7 +573,7 @@ fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
     };
     let run = part::run(&path, &path.surfaces, &job.setup);
     let free = run.collision.is_none()
-        && run.strays.is_empty()
+        && run.wrong_walls.is_empty()
         && run.triggers.iter().all(Option::is_some);
     if free && path.touch_faults(job.setup.radius).is_empty() {
         Ok(path)
@@ -584,7 +584,7 @@ fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
 
 /// Runs the cycles that follow results on the virtual part, at the positions that the measured results give. Before a cycle that would be shifted beyond the
 /// limit the program stops: this cycle and all later ones are not reached.
-pub fn run(whole: &mut Planned) {
+pub fn run(whole: &mut PlannedJob) {
     if whole.path.shifts.is_empty() {
         return;
     }
@@ -601,10 +601,10 @@ pub fn run(whole: &mut Planned) {
         {
             for planned in &mut whole.members[m..] {
                 let triggers = vec![None; planned.path.touches.len()];
-                planned.run = Run {
+                planned.run = PartRun {
                     triggers,
-                    halt: Some((m, question.result)),
-                    ..Run::default()
+                    stopped_before: Some((m, question.result)),
+                    ..PartRun::default()
                 };
             }
             return;
@@ -623,15 +623,15 @@ pub fn run(whole: &mut Planned) {
             planned.path.formula = planned.path.formula.turned(&turn);
         }
         let run = part::run(&moved, &planned.surfaces, &planned.job.setup);
-        planned.run = Run {
-            ran: Some(Box::new(moved)),
+        planned.run = PartRun {
+            shifted_path: Some(Box::new(moved)),
             ..run
         };
     }
 }
 
 /// Triggers of all cycles as they were run.
-fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
+fn triggers(whole: &PlannedJob) -> Vec<Option<Vec3>> {
     whole
         .members
         .iter()
@@ -650,7 +650,7 @@ fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::CycleRota
 }
 
 /// The path of a cycle that follows a direction, with its formula rotated as these touches give.
-pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option<Path> {
+pub fn turned(whole: &PlannedJob, member: usize, points: &[Option<Vec3>]) -> Option<Path> {
     let nominal = &whole.path.cycles[member].path.formula;
     whole.path.cycles[member].placing.turn()?;
     let turn = turn(&whole.path, member, &part::numbers(&whole.path, points))?;
@@ -679,7 +679,7 @@ fn shift(shifts: &Shifts, values: &[f64]) -> Vec3 {
 }
 
 /// The whole path as it runs on the virtual part. `None` if it equals the nominal path.
-pub fn actual(whole: &Planned) -> Option<Path> {
+pub fn actual(whole: &PlannedJob) -> Option<Path> {
     if whole.path.shifts.is_empty() || whole.job.placement.nominal {
         return None;
     }
@@ -692,8 +692,8 @@ pub fn actual(whole: &Planned) -> Option<Path> {
 }
 
 /// Reports the cycle before which the program stops on the virtual part, with the reason.
-pub fn report(whole: &Planned, checker: &mut Checker) {
-    let Some((m, result)) = whole.run.halt else {
+pub fn report(whole: &PlannedJob, checker: &mut Checker) {
+    let Some((m, result)) = whole.run.stopped_before else {
         return;
     };
     let Some(question) = whole.path.formula.leads(result, &whole.job.limits) else {
@@ -721,7 +721,7 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
             .into_owned(),
         shown(value),
         shown(question.limit),
-        shown(question.wanted)
+        shown(question.expected)
     );
     checker.warning(
         "place-too-far",
@@ -736,8 +736,8 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
 
 /// Checks link moves with one end that follows a result: the shift must neither turn a descent upwards, nor make a move too short to be watched. If one cycle
 /// is above the other, the move across is only the shift, and is not watched.
-pub fn check_ways(whole: &Planned, checker: &mut Checker) {
-    let Planned { job, path, .. } = whole;
+pub fn check_ways(whole: &PlannedJob, checker: &mut Checker) {
+    let PlannedJob { job, path, .. } = whole;
     let w = path.frame.w;
     let only = |shifts: &Shifts, tool: bool| {
         [0, 1, 2].map(|axis| {

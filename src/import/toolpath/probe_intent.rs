@@ -10,7 +10,7 @@ use crate::control::iso::lex::{code, head, lines_of, next_line, trimmed};
 use crate::geom::AXIS_NAMES;
 
 /// Whether a block contains the code of a probing move.
-pub(super) fn probes(line: &[u8]) -> bool {
+pub(super) fn has_probing_code(line: &[u8]) -> bool {
     let measures = |at: usize| {
         line[at..].get(..5).is_some_and(|word| {
             word[..4].eq_ignore_ascii_case(b"MEAS") || word[..4].eq_ignore_ascii_case(b"MEAW")
@@ -23,9 +23,9 @@ pub(super) fn probes(line: &[u8]) -> bool {
 
 /// Behaviour of a program after a probing move.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Behind {
+pub(super) struct AfterProbe {
     /// It checks for a contact.
-    pub asked: bool,
+    pub checks_contact: bool,
     /// It leaves after a contact: watched positioning.
     pub watched: bool,
     /// It reads the end of the move.
@@ -37,7 +37,7 @@ pub(super) struct Behind {
 }
 
 /// Behaviour after a probing move, from the lines below its block.
-pub(super) fn behind(line: &[u8], below: &str) -> Behind {
+pub(super) fn after_probe(line: &[u8], below: &str) -> AfterProbe {
     let lines = next_lines(below);
     let turn = lines.iter().position(|line| moves(line) || calls(line));
     let before = &lines[..turn.unwrap_or(lines.len())];
@@ -61,19 +61,19 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
             .or_else(compared)
         {
             let leads_out = leads_to_alarm(&lines[at], lines.get(at + 1), below);
-            return Behind {
-                asked: leads_out,
+            return AfterProbe {
+                checks_contact: leads_out,
                 may_ask: !leads_out,
                 reads,
-                ..Behind::default()
+                ..AfterProbe::default()
             };
         }
         let chained =
             !reads && is_free_to_miss(line) && begins_free(lines.get(before.len()), before);
-        return Behind {
+        return AfterProbe {
             reads,
             chained,
-            asked: chained,
+            checks_contact: chained,
             watched: chained,
             may_ask: !reads && lines.get(before.len()).is_some_and(|line| calls(line)),
         };
@@ -86,11 +86,11 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         Some(_) => true,
         None => lines.get(at + 1).is_some_and(|line| leaves(line)),
     };
-    Behind {
-        asked: true,
+    AfterProbe {
+        checks_contact: true,
         watched: !touches && leaves_then,
         reads,
-        ..Behind::default()
+        ..AfterProbe::default()
     }
 }
 
@@ -151,7 +151,9 @@ fn leads_to_alarm(condition: &str, next: Option<&String>, below: &str) -> bool {
 
 /// The lines up to the next probing move.
 fn until_next_probe(lines: &[String]) -> &[String] {
-    let next = lines.iter().position(|line| probes(line.as_bytes()));
+    let next = lines
+        .iter()
+        .position(|line| has_probing_code(line.as_bytes()));
     &lines[..next.unwrap_or(lines.len())]
 }
 
@@ -178,9 +180,9 @@ fn asks_by_name(lines: &[String]) -> Option<usize> {
 
 /// The last condition that reads one of these variables.
 fn asks_for(lines: &[String], names: &[&str]) -> Option<usize> {
-    lines
-        .iter()
-        .rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
+    lines.iter().rposition(|line| {
+        line.contains("IF[") && names.iter().any(|name| reads_position(line, name))
+    })
 }
 
 /// Variables that receive the position of a contact in the first lines, and those computed from them: `#4=#5061-#24`, `#7=SQRT[#4*#4]`.
@@ -194,7 +196,7 @@ fn kept_in(lines: &[String], first: usize) -> Vec<&str> {
             .strip_prefix('#')
             .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
         let is_contact = at < first && reads_axis(value);
-        if is_name && (is_contact || names.iter().any(|known| reads(value, known))) {
+        if is_name && (is_contact || names.iter().any(|known| reads_position(value, known))) {
             names.push(name);
         }
     }
@@ -202,7 +204,7 @@ fn kept_in(lines: &[String], first: usize) -> Vec<&str> {
 }
 
 /// Whether a line reads a variable.
-fn reads(line: &str, name: &str) -> bool {
+fn reads_position(line: &str, name: &str) -> bool {
     let ends = |at: usize| {
         !line
             .as_bytes()

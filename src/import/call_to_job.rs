@@ -14,7 +14,7 @@ use crate::import::set;
 use crate::job::{Units, check, default_job_in, job_name};
 
 /// The parts of a call that a job needs.
-pub(super) struct Called<'a> {
+pub(super) struct CallContext<'a> {
     pub name: &'a str,
     /// Control of the call, if its name tells: it supports the call and no plain moves.
     pub post: Option<&'static str>,
@@ -26,7 +26,7 @@ pub(super) struct Called<'a> {
 }
 
 /// Values for a job from a call.
-struct Said {
+struct JobFromCall {
     cycle: &'static str,
     fields: Vec<(&'static str, f64)>,
     origin: [f64; 3],
@@ -35,7 +35,7 @@ struct Said {
     offset: Option<f64>,
 }
 
-impl Called<'_> {
+impl CallContext<'_> {
     fn get(&self, name: &str) -> Option<f64> {
         self.arguments
             .iter()
@@ -93,7 +93,7 @@ impl Called<'_> {
     }
 
     /// Renishaw's macros. Z and a move beside the feature mean an outside feature, or entry from above if R is negative.
-    fn renishaw(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
+    fn renishaw(&self, number: &str, radius: f64, depth: f64) -> Option<JobFromCall> {
         let [x, y, z] = self.place;
         // A program of calls has the heights of the stylus tip, a job those of the ball centre.
         let tip = if self.post.is_some() { radius } else { 0.0 };
@@ -151,17 +151,17 @@ impl Called<'_> {
             .get("S")
             .filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
         let overtravel = self.get("Q").map(|q| q + counted);
-        Some(Said {
+        Some(JobFromCall {
             overtravel,
             post: Some("fanuc"),
             offset,
-            ..Said::of(&probed, clearance, depth)?
+            ..JobFromCall::of(&probed, clearance, depth)?
         })
     }
 
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is the search distance before and past each wall; 11 is the
     /// distance down from the stylus position, if the cycle goes down.
-    fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
+    fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<JobFromCall> {
         self.get("1")?;
         let at = Vec3::from_array(self.place);
         let probed = called(number.parse().ok()?, at, |place| {
@@ -173,8 +173,8 @@ impl Called<'_> {
         let post = Some("sinumerik");
         if probed.shape == Shape::Surface {
             let away = (probed.center - at)[probed.axis] * probed.towards;
-            let said = Said::of(&probed, away, depth)?;
-            return Some(Said {
+            let said = JobFromCall::of(&probed, away, depth)?;
+            return Some(JobFromCall {
                 overtravel,
                 post,
                 offset,
@@ -194,7 +194,7 @@ impl Called<'_> {
         let aside = probed.lifts || !probed.inside;
         center.z -= if aside { probed.down? } else { 0.0 };
         let high = Some(at.z);
-        let said = Said::of(
+        let said = JobFromCall::of(
             &Probed {
                 center,
                 high,
@@ -203,7 +203,7 @@ impl Called<'_> {
             overtravel? + radius,
             depth,
         )?;
-        Some(Said {
+        Some(JobFromCall {
             overtravel,
             post,
             offset,
@@ -212,7 +212,7 @@ impl Called<'_> {
     }
 
     /// HEIDENHAIN cycles with a row.
-    fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
+    fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<JobFromCall> {
         let probed =
             row(number.parse().ok()?)?.probed(Vec3::NAN, |q| self.get(&format!("Q{q}")))?;
         let clearance = probed
@@ -221,17 +221,17 @@ impl Called<'_> {
         let offset = probed
             .row
             .filter(|row| (1.0..=99.0).contains(row) && row.fract() == 0.0);
-        Some(Said {
+        Some(JobFromCall {
             post: Some("heidenhain"),
             offset,
-            ..Said::of(&probed, clearance, depth)?
+            ..JobFromCall::of(&probed, clearance, depth)?
         })
     }
 }
 
-impl Said {
-    fn new(cycle: &'static str, fields: Vec<(&'static str, f64)>, origin: [f64; 3]) -> Said {
-        Said {
+impl JobFromCall {
+    fn new(cycle: &'static str, fields: Vec<(&'static str, f64)>, origin: [f64; 3]) -> JobFromCall {
+        JobFromCall {
             cycle,
             fields,
             origin,
@@ -242,7 +242,7 @@ impl Said {
     }
 
     /// A surface across an axis whose touch begins at this distance; `None` if it faces downwards.
-    fn of_surface(probed: &Probed, clearance: f64) -> Option<Said> {
+    fn of_surface(probed: &Probed, clearance: f64) -> Option<JobFromCall> {
         let (center, tool) = (probed.center, probed.axis == 2);
         let mut fields = vec![
             ("elevation", if tool { 90.0 } else { 0.0 }),
@@ -260,11 +260,11 @@ impl Said {
         let begins = center.z + if tool { clearance } else { 0.0 };
         let up = probed.high.map(|high| ("feedDistance", high - begins));
         fields.extend(up.filter(|(_, far)| *far >= 0.0));
-        Some(Said::new("surface", fields, center.to_array()))
+        Some(JobFromCall::new("surface", fields, center.to_array()))
     }
 
     /// The feature as a documented cycle. `clearance` is the distance from a contact to the start of its touch, `depth` that from the top side down.
-    fn of(probed: &Probed, clearance: f64, depth: f64) -> Option<Said> {
+    fn of(probed: &Probed, clearance: f64, depth: f64) -> Option<JobFromCall> {
         let Probed {
             shape,
             inside,
@@ -285,7 +285,7 @@ impl Said {
                 (false, _) => out,
             };
         let cycle = match shape {
-            Shape::Surface => return Said::of_surface(probed, clearance),
+            Shape::Surface => return JobFromCall::of_surface(probed, clearance),
             Shape::Bore => {
                 fields.extend([("diameter", sizes[0]), ("rotation", turn)]);
                 if probed.start != 0.0 || probed.step != 90.0 {
@@ -334,7 +334,7 @@ impl Said {
             };
             fields.extend(sides.iter().map(|side| (*side, clearance)));
         }
-        Some(Said::new(cycle, fields, [center.x, center.y, top]))
+        Some(JobFromCall::new(cycle, fields, [center.x, center.y, top]))
     }
 }
 
@@ -347,7 +347,7 @@ mod tests {
             .iter()
             .map(|(name, value)| ((*name).to_owned(), *value))
             .collect();
-        Called {
+        CallContext {
             name,
             post: None,
             arguments: &arguments,

@@ -181,7 +181,7 @@ pub fn planned(
         .results
         .retain(|result| result.role != Role::Residual);
     path.calls = Some(Box::new(CallSequence {
-        counts: made.iter().map(|made| made.count).collect(),
+        counts: made.iter().map(|made| made.ordinal).collect(),
         first,
         blocks: blocks.into_iter().zip(counted).collect(),
         stored,

@@ -1,16 +1,21 @@
 //! Compares the position of the machine in a log with the end of the program.
 
-use crate::part::measured::Expected;
+use crate::part::measured::MeasurementContext;
 use crate::part::measured::line::Item;
 use crate::part::measured::log::Log;
-use crate::part::measured::offset::Shift;
+use crate::part::measured::offset::MachineOffset;
 use crate::text::{Text, text};
 
 /// Distance from the end of the program, mm, within which the machine counts as being there: its steps are rounded.
 const ROUNDED: f64 = 0.05;
 
 /// Reason to doubt that the machine is at the end of the program; `None` if the log gives none. `scale` is mm in a unit of the log.
-pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Option<Text> {
+pub fn away(
+    log: &Log,
+    shift: &MachineOffset,
+    scale: f64,
+    expected: &MeasurementContext<'_>,
+) -> Option<Text> {
     let (first, last) = (*log.touches.first()?, *log.touches.last()?);
     let mut ended = false;
     let mut stands = None;
