@@ -6,12 +6,12 @@ import {
   type FieldEntry,
   JobError,
   jobName,
-  type Said,
+  type Message,
   type Words,
 } from "./core/browser.js";
 import type { Units } from "./entries.js";
 import { byCode, type SetUpState } from "./features.js";
-import { Fixed } from "./fixed.js";
+import { LockedFields } from "./fixed.js";
 import { History } from "./history.js";
 import { alike, complete, type Draft, dropAt, isObject, putAt } from "./job.js";
 import { tidy } from "./number.js";
@@ -21,7 +21,7 @@ import type { Rules } from "./rules.js";
 import { type Lang, w } from "./words.js";
 
 /** State of a cycle that is restored when the user chooses it again. */
-export interface Left {
+export interface SavedCycle {
   units: Units;
   cycle: Draft;
   points: Points;
@@ -36,7 +36,7 @@ export type Points = Record<Units, string>;
 export const noPoints = (): Points => ({ mm: "", inch: "" });
 
 /** Why nothing was changed: the job can only be looked at. */
-export const LOOK_ONLY: Said = [
+export const LOOK_ONLY: Message = [
   w("Nothing was changed: this job is read-only"),
 ];
 
@@ -44,11 +44,11 @@ export const LOOK_ONLY: Said = [
 const SIZE_LIMIT = "limits.size";
 
 /** Everything that a user can change, at a moment. */
-interface Moment {
+interface Snapshot {
   draft: Draft;
   typed: [string, string][];
   points: Points;
-  left: [string, Left][];
+  left: [string, SavedCycle][];
   given: string[] | null;
   document: number;
   features: SetUpState;
@@ -65,22 +65,22 @@ export abstract class Document extends Output {
   /** Whether the host page gave them: the user's undo keeps them then. */
   protected pointsGiven = false;
   /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
-  protected given: Set<string> | null = new Set();
+  protected editedPaths: Set<string> | null = new Set();
   /** State of the cycles that were left, restored when the user chooses one again. */
-  protected left = new Map<string, Left>();
-  protected readonly history = new History<Moment>();
+  protected left = new Map<string, SavedCycle>();
+  protected readonly history = new History<Snapshot>();
   /** Whether the size limit follows from the tolerances of the next plan. */
   private limitFollows = false;
   /** Whether the user can change the job. What is put in from outside is taken all the same. */
-  protected shut = false;
+  protected readOnly = false;
   /** Whether the current change is by the host page. */
   protected host = false;
   /** The default name of the job: while the job has it, the name follows what is measured. Null for another job. */
-  protected ownName: string | null = null;
+  protected automaticName: string | null = null;
   /** The number of documents so far. */
   protected documents = 0;
   /** The control that had a work offset which the present one has not: with another control it comes back. */
-  protected lost: Draft | null = null;
+  protected controlWithOffset: Draft | null = null;
   /** The control that the job was for before this one. */
   protected beforeControl: Draft | null = null;
 
@@ -96,12 +96,12 @@ export abstract class Document extends Output {
 
   /** Whether the job can only be looked at. */
   get readonly(): boolean {
-    return this.shut;
+    return this.readOnly;
   }
 
   set readonly(shut: boolean) {
-    if (shut === this.shut) return;
-    this.shut = shut;
+    if (shut === this.readOnly) return;
+    this.readOnly = shut;
     this.asHost(() => this.dispatchEvent(new Event("change")));
   }
 
@@ -111,7 +111,7 @@ export abstract class Document extends Output {
   }
 
   /** Whether the current change is by the user, not by the host page. */
-  get byUser(): boolean {
+  get userChange(): boolean {
     return !this.host;
   }
 
@@ -128,7 +128,7 @@ export abstract class Document extends Output {
 
   /** Whether a change is the user's and the job is not to be changed. */
   protected get refuses(): boolean {
-    return this.shut && this.byUser;
+    return this.readOnly && this.userChange;
   }
 
   get measured(): string {
@@ -137,8 +137,8 @@ export abstract class Document extends Output {
 
   set measured(text: string) {
     // What the host page sets is not a step of the user's.
-    if (this.byUser) this.mark("measured");
-    this.pointsGiven = !this.byUser;
+    if (this.userChange) this.mark("measured");
+    this.pointsGiven = !this.userChange;
     this.points = { ...this.points, [this.units]: text };
     this.keep();
     this.dispatchEvent(new Event("change"));
@@ -156,9 +156,9 @@ export abstract class Document extends Output {
     const fixed = this.fixed();
     if (this.refuses || fixed.has(path)) return;
     this.mark(path);
-    this.given?.add(path.replace(/\[\d\]$/, ""));
+    this.editedPaths?.add(path.replace(/\[\d\]$/, ""));
     // What the user chooses now holds, also that none is written.
-    if (path === "control.workOffset") this.lost = null;
+    if (path === "control.workOffset") this.controlWithOffset = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
     this.limitFollows ||=
@@ -175,7 +175,7 @@ export abstract class Document extends Output {
 
   /** Whether a new value of the field at this path may change the size limit: the value or a size before it has a tolerance, and nobody entered a limit. */
   private changesLimit(path: string, value: unknown): boolean {
-    if (this.given === null || this.given.has(SIZE_LIMIT)) return false;
+    if (this.editedPaths === null || this.editedPaths.has(SIZE_LIMIT)) return false;
     if (!path.startsWith("cycle.") || !this.fieldAt(path)?.size) return false;
     const usual = this.usualSizeLimit();
     if (!alike(this.get(SIZE_LIMIT), usual)) return false;
@@ -191,7 +191,7 @@ export abstract class Document extends Output {
 
   /** The size limit of a new job. */
   private leastSizeLimit(): number {
-    return Number(this.begins(this.fieldAt(SIZE_LIMIT) as FieldEntry));
+    return Number(this.initialValue(this.fieldAt(SIZE_LIMIT) as FieldEntry));
   }
 
   /** The size limit that follows from the plan: that of a new job, plus the largest deviation that a tolerance allows. */
@@ -227,14 +227,14 @@ export abstract class Document extends Output {
   }
 
   /** Fields locked by the host page. A locked field with a wrong value can be changed. */
-  protected fixed(bare = false): Fixed {
+  protected fixed(bare = false): LockedFields {
     const wrong = new Set(
       this.findings
         .filter(({ code }) => code === "locked")
         .map(({ path }) => path),
     );
-    const locked = this.byUser ? this.rules.locked(bare) : [];
-    return new Fixed(
+    const locked = this.userChange ? this.rules.locked(bare) : [];
+    return new LockedFields(
       this.draft,
       locked.filter((path) => !wrong.has(path)),
     );
@@ -285,14 +285,14 @@ export abstract class Document extends Output {
       : { ...old, units };
     if (known) this.features.convert(old.units as Units, units);
     for (const [path, field] of untouched)
-      putAt(this.draft, path, structuredClone(this.begins(field, units)));
+      putAt(this.draft, path, structuredClone(this.initialValue(field, units)));
     this.typed.clear();
     this.changed();
   }
 
   /** Fields that still have the defaults of a new job. */
   protected untouched(): [string, FieldEntry][] {
-    const { given } = this;
+    const { editedPaths: given } = this;
     if (!given) return [];
     const isGiven = (path: string) =>
       [...given].some((one) => path === one || path.startsWith(`${one}.`));
@@ -301,7 +301,7 @@ export abstract class Document extends Output {
       ([path, field]) =>
         !isGiven(path) &&
         !locked.includes(path) &&
-        alike(this.get(path), this.begins(field)),
+        alike(this.get(path), this.initialValue(field)),
     );
   }
 
@@ -312,11 +312,11 @@ export abstract class Document extends Output {
   }
 
   get canUndo(): boolean {
-    return !this.shut && this.history.canUndo;
+    return !this.readOnly && this.history.canUndo;
   }
 
   get canRedo(): boolean {
-    return !this.shut && this.history.canRedo;
+    return !this.readOnly && this.history.canRedo;
   }
 
   /** Undoes the last step: a field, a drag, an opened file or a reset. */
@@ -328,8 +328,8 @@ export abstract class Document extends Output {
     if (!this.refuses) this.become(this.history.redo(() => this.moment()));
   }
 
-  protected moment(): Moment {
-    const { typed, points, left, given, document } = this;
+  protected moment(): Snapshot {
+    const { typed, points, left, editedPaths: given, document } = this;
     return {
       draft: structuredClone(this.draft),
       typed: [...typed],
@@ -347,26 +347,26 @@ export abstract class Document extends Output {
   }
 
   /** Restores an earlier state. */
-  protected become(moment: Moment | undefined): void {
+  protected become(moment: Snapshot | undefined): void {
     if (!moment) return;
     const fixed = this.fixed(true);
     this.limitFollows = false;
     this.draft = moment.draft;
-    this.features.become(moment.features);
+    this.features.restoreSnapshot(moment.features);
     fixed.keep(this.draft);
     this.typed = new Map(moment.typed);
     if (!this.pointsGiven) this.points = moment.points;
     this.left = new Map(moment.left);
-    this.given = moment.given && new Set(moment.given);
+    this.editedPaths = moment.given && new Set(moment.given);
     this.document = moment.document;
-    this.ownName = null;
+    this.automaticName = null;
     this.pinned = null;
     this.highlight = null;
     this.changed();
   }
 
   /** Reports a side effect of a change to the user. */
-  protected tell(said: Said): void {
+  protected announce(said: Message): void {
     this.dispatchEvent(new CustomEvent("told", { detail: said }));
   }
 
@@ -395,9 +395,9 @@ export abstract class Document extends Output {
   /** Updates the program name, unless the user has typed one. */
   protected nameAnew(): void {
     const name = jobName(this.job);
-    if (this.ownName !== null && this.draft.name === this.ownName)
+    if (this.automaticName !== null && this.draft.name === this.automaticName)
       this.draft.name = name;
-    this.ownName = name;
+    this.automaticName = name;
   }
 
   /** The default job of a cycle in the job's units, with what the rules of the host page say of it. */
@@ -414,10 +414,10 @@ export abstract class Document extends Output {
     this.mark(null);
     this.document = ++this.documents;
     this.beforeControl = null;
-    this.lost = null;
-    this.ownName = null;
+    this.controlWithOffset = null;
+    this.automaticName = null;
     this.limitFollows = false;
-    this.given = given;
+    this.editedPaths = given;
     this.draft = this.formOf(job);
     fixed.keep(this.draft);
     this.points = { ...noPoints(), [this.units]: measured };
@@ -476,7 +476,7 @@ export abstract class Document extends Output {
   open({ imported, findings }: Reading): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
-    const problem: Said | null =
+    const problem: Message | null =
       imported.kind === "moves"
         ? [w("this program says no job")]
         : this.unusable(imported.job);

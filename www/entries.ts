@@ -17,7 +17,7 @@ export type Units = "mm" | "inch";
 export type Form = PostEntry["cycles"][number]["form"];
 
 /** Looks up the job's own entries of the catalog. */
-export abstract class Entries extends Phrases {
+export abstract class CatalogView extends Phrases {
   /** The job in the form. */
   abstract draft: Draft;
 
@@ -140,7 +140,7 @@ export abstract class Entries extends Phrases {
   }
 
   /** What a field of a new job begins with, in the job's units: in inch a number that people type. */
-  begins(field: FieldEntry, units = this.units): unknown {
+  initialValue(field: FieldEntry, units = this.units): unknown {
     return units === "inch" ? field.defaultInch : field.default;
   }
 
@@ -148,8 +148,8 @@ export abstract class Entries extends Phrases {
   isUsual(path: string, field: FieldEntry): boolean {
     const value = this.get(path) ?? null;
     return (
-      alike(value, this.begins(field) ?? null) ||
-      alike(value, this.standIn(field) ?? null)
+      alike(value, this.initialValue(field) ?? null) ||
+      alike(value, this.defaultValue(field) ?? null)
     );
   }
 
@@ -182,7 +182,7 @@ export abstract class Entries extends Phrases {
   }
 
   /** What a field holds where the job says nothing, in the job's units. */
-  standIn(field: FieldEntry): unknown {
+  defaultValue(field: FieldEntry): unknown {
     const metric = isMetric(field.unit);
     const scaled = (x: number) =>
       metric && this.units === "inch" ? tidy(x / 25.4) : x;

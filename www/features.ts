@@ -2,10 +2,10 @@
 
 import type { Catalog, Relation } from "./core/browser.js";
 import { jobName } from "./core/browser.js";
-import { complete, type Draft, isObject, type Own, ownIn } from "./job.js";
+import { complete, type Draft, isObject, type CycleParts, convertCycleParts } from "./job.js";
 
 /** A cycle of a set-up. */
-export interface Feature extends Own {
+export interface Feature extends CycleParts {
   name: string;
   /** Whether the user has named it; otherwise its name follows what it measures. */
   named: boolean;
@@ -85,7 +85,7 @@ function asRelation(given: unknown): Related {
 const AXES = ["x", "y", "z", "rotation"] as const;
 const MOST_NAME = 12;
 
-export class Features {
+export class CycleList {
   /** All cycles in their order; empty for a job of one cycle. */
   all: Feature[] = [];
   /** Index of the one in the form. */
@@ -259,7 +259,7 @@ export class Features {
   add(
     form: Draft,
     cycle: Draft,
-    { sizes = {}, tolerances = {} }: Partial<Own> = {},
+    { sizes = {}, tolerances = {} }: Partial<CycleParts> = {},
   ): void {
     if (!this.several) {
       const first = form.cycle as Draft;
@@ -275,7 +275,7 @@ export class Features {
       ];
       this.hand = 0;
     }
-    this.stow(form);
+    this.storeActive(form);
     this.all.splice(this.hand + 1, 0, {
       name: this.free(cycle),
       named: false,
@@ -287,13 +287,13 @@ export class Features {
   }
 
   /** Keeps what the form has of the one in hand. */
-  stow(form: Draft): void {
+  storeActive(form: Draft): void {
     this.all = this.inOrder(form);
   }
 
   /** Puts another one into the form. */
-  bring(form: Draft, index: number): void {
-    this.stow(form);
+  activate(form: Draft, index: number): void {
+    this.storeActive(form);
     const next = this.all[index];
     if (!next) return;
     this.hand = index;
@@ -307,7 +307,7 @@ export class Features {
     const gone = this.all[index];
     if (!gone) return;
     const next = index === this.hand ? (index > 0 ? index - 1 : 1) : this.hand;
-    this.bring(form, next);
+    this.activate(form, next);
     this.all.splice(index, 1);
     if (index < this.hand) this.hand--;
     this.refer(gone.name, null);
@@ -320,7 +320,7 @@ export class Features {
 
   /** Moves one to another place in the order. */
   move(form: Draft, from: number, to: number): void {
-    this.stow(form);
+    this.storeActive(form);
     const inHand = this.all[this.hand];
     const [moved] = this.all.splice(from, 1);
     if (moved) this.all.splice(to, 0, moved);
@@ -329,7 +329,7 @@ export class Features {
 
   /** Another name, and whatever is written from it or follows it. */
   rename(form: Draft, index: number, name: string, named: boolean): void {
-    this.stow(form);
+    this.storeActive(form);
     const one = this.all[index];
     if (!one) return;
     this.all[index] = { ...one, name, named };
@@ -421,11 +421,11 @@ export class Features {
   convert(from: "mm" | "inch", to: "mm" | "inch"): void {
     this.all = this.all.map((one, i) => {
       if (i === this.hand) return one;
-      return { ...one, ...ownIn(to, one, from) };
+      return { ...one, ...convertCycleParts(to, one, from) };
     });
     const cycle = this.all[0]?.cycle ?? {};
     this.relations = this.relations.map((one) => {
-      const { tolerances } = ownIn(
+      const { tolerances } = convertCycleParts(
         to,
         { cycle, sizes: {}, tolerances: one.tolerances },
         from,
@@ -452,7 +452,7 @@ export class Features {
   }
 
   /** A path of the job as the form has it: of the one in hand that of a job of one cycle. */
-  inForm(path: string): string {
+  toFormPath(path: string): string {
     const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(path) ?? [];
     if (index !== undefined)
       return this.placeOf(Number(index)) === this.hand ? `cycle${rest}` : path;
@@ -468,7 +468,7 @@ export class Features {
 
   /** One cycle is left: a job of one cycle. */
   alone(): void {
-    this.become({ all: [], hand: 0, clear: null, datum: {}, relations: [] });
+    this.restoreSnapshot({ all: [], hand: 0, clear: null, datum: {}, relations: [] });
   }
 
   state(): SetUpState {
@@ -476,7 +476,7 @@ export class Features {
     return structuredClone({ all, hand, clear, datum, relations });
   }
 
-  become({ all, hand, clear, datum, relations = [] }: SetUpState): void {
+  restoreSnapshot({ all, hand, clear, datum, relations = [] }: SetUpState): void {
     // What was kept before there were tolerances has none.
     const whole = all.map((one) => ({
       ...one,

@@ -3,27 +3,27 @@ import { type Draft, isObject, putAt, valueAt } from "./job.js";
 
 const typeOf = (job: Draft) => (job.cycle as Draft | undefined)?.type;
 
-export class Fixed {
-  private readonly held: Map<string, unknown>;
+export class LockedFields {
+  private readonly lockedValues: Map<string, unknown>;
   private readonly type: unknown;
 
   /** Keeps what a job has at these paths. */
   constructor(job: Draft, paths: string[]) {
     this.type = typeOf(job);
     const there = paths.filter((path) => valueAt(job, path) !== undefined);
-    this.held = new Map(
+    this.lockedValues = new Map(
       there.map((path) => [path, structuredClone(valueAt(job, path))]),
     );
   }
 
   /** Whether a field is one of them; of a point, also each of its coordinates. */
   has(path: string): boolean {
-    return this.held.has(path.replace(/\[\d\]$/, ""));
+    return this.lockedValues.has(path.replace(/\[\d\]$/, ""));
   }
 
   /** Puts the values back into a job that was changed around them. A field of another cycle is another field. */
   keep(job: Draft): void {
-    for (const [path, value] of this.held) {
+    for (const [path, value] of this.lockedValues) {
       const section = path.slice(0, Math.max(path.lastIndexOf("."), 0));
       const isThere = isObject(section === "" ? job : valueAt(job, section));
       if (isThere && (!path.startsWith("cycle.") || typeOf(job) === this.type))

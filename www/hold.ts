@@ -12,7 +12,7 @@ const isText = (target: unknown): target is HTMLInputElement =>
   ["text", "search"].includes(target.type);
 
 /** Holds what is inside a root. Gives a function that ends it, and enters what was typed where `enter` says so. */
-export function hold(root: ShadowRoot): (enter: boolean) => void {
+export function bufferInput(root: ShadowRoot): (enter: boolean) => void {
   /** The texts in the order in which they were typed last, and whether their fields were left. */
   const typed = new Map<HTMLInputElement, { text: string; left: boolean }>();
   const isInside = (event: Event) => event.composedPath().includes(root);

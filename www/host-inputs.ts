@@ -6,10 +6,10 @@ import {
   defaultJob,
   type Finding,
   type FindingCode,
-  type Said,
+  type Message,
   say,
 } from "./core/browser.js";
-import type { Entries, Units } from "./entries.js";
+import type { CatalogView, Units } from "./entries.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
 import { Rules } from "./rules.js";
 import { w } from "./words.js";
@@ -21,7 +21,7 @@ export type Input = "job" | "cycle" | "post" | "units" | "config" | "measured";
 type Setting = "lang" | "readonly";
 
 /** What the host page asks for. It holds for every job that does not name its own. */
-export interface Asked {
+export interface HostRequest {
   cycle?: Cycle["type"];
   post?: string;
   units?: Units;
@@ -35,7 +35,7 @@ const PATHS: Readonly<Record<string, string>> = {
   config: "config",
 };
 
-function refused(input: string, code: FindingCode, ...said: Said): Finding {
+function refused(input: string, code: FindingCode, ...said: Message): Finding {
   return {
     level: "error",
     code,
@@ -46,7 +46,7 @@ function refused(input: string, code: FindingCode, ...said: Said): Finding {
 }
 
 /** A job without its control, with all else that it says of it. */
-function unnamed(job: Draft): Draft {
+function withoutControl(job: Draft): Draft {
   const control: Draft = { ...(job.control as Draft) };
   delete control.post;
   delete control.form;
@@ -54,7 +54,7 @@ function unnamed(job: Draft): Draft {
 }
 
 /** What it asks of the store. */
-interface Jobs extends Entries {
+interface Jobs extends CatalogView {
   asHost<T>(change: () => T): T;
   readonly revision: number;
   readonly job: Draft;
@@ -66,14 +66,14 @@ interface Jobs extends Entries {
   put(path: string, value: unknown): void;
   replace(whole: Draft): void;
   reconsider(): void;
-  unusable(job: unknown): Said | null;
-  tooLong(length: number): Said;
+  unusable(job: unknown): Message | null;
+  tooLong(length: number): Message;
 }
 
-export class Outside {
+export class HostInputs {
   /** The jobs that were sent by `job-change`, and when. */
   private sentJobs: { json: string; at: number }[] = [];
-  private asked: Asked = {};
+  private asked: HostRequest = {};
   /** The rules of the host page. */
   rules = new Rules();
   /** The job that the host page gave last, as it gave it, and what became of it. */
@@ -100,12 +100,12 @@ export class Outside {
   }
 
   /** A job with what the host page asks for, and what its rules say, in the place of what it does not name. What is no object stays what it is. */
-  filled(job: unknown, asked: Asked = this.asked): unknown {
+  filled(job: unknown, asked: HostRequest = this.asked): unknown {
     const whole = this.named(job, asked);
     return isObject(whole) ? this.rules.filled(whole) : whole;
   }
 
-  private named(job: unknown, { cycle, post, units }: Asked): unknown {
+  private named(job: unknown, { cycle, post, units }: HostRequest): unknown {
     if (!isObject(job) || Array.isArray(job.cycles)) return job;
     const whole: Draft = { ...job };
     if (units && job.units === undefined) whole.units = units;
@@ -131,7 +131,7 @@ export class Outside {
     const job = structuredClone(
       defaultJob(type, units ?? this.rules.units(this.store.units)),
     ) as unknown as Draft;
-    const named = this.named(post ? unnamed(job) : job, this.asked) as Draft;
+    const named = this.named(post ? withoutControl(job) : job, this.asked) as Draft;
     return this.rules.laid(named, post !== undefined);
   }
 
@@ -139,7 +139,7 @@ export class Outside {
   ofText(job: Draft, findings: Finding[]): Draft {
     return this.asked.post &&
       findings.some(({ code }) => code === "not-in-dump")
-      ? unnamed(job)
+      ? withoutControl(job)
       : job;
   }
 
@@ -147,7 +147,7 @@ export class Outside {
   differences(): Finding[] {
     const { asked, store } = this;
     const found: Finding[] = [];
-    const note = (code: FindingCode, path: string, ...said: Said) =>
+    const note = (code: FindingCode, path: string, ...said: Message) =>
       found.push({ level: "warning", code, path, message: say(said), said });
     const [wanted, named] = [store.postOf(asked.post), store.post];
     if (wanted && named && wanted !== named)
@@ -207,7 +207,7 @@ export class Outside {
   refusals(
     input: Input | Setting,
     value: unknown,
-    asked: Asked = {},
+    asked: HostRequest = {},
   ): Finding[] {
     if (input === "config") return this.faults(value);
     const refusal = this.refusal(input, value, asked);
@@ -218,7 +218,7 @@ export class Outside {
   private refusal(
     input: Exclude<Input, "config"> | Setting,
     value: unknown,
-    asked: Asked = {},
+    asked: HostRequest = {},
   ): Finding | null {
     try {
       if (input === "job") return this.read(value, asked).refusal ?? null;
@@ -343,7 +343,7 @@ export class Outside {
   }
 
   /** The host page asks for none any more; the job stays as it is. */
-  release(input: keyof Asked | "config"): void {
+  release(input: keyof HostRequest | "config"): void {
     if (input === "config") {
       if (!this.rules.config) return;
       this.rules = new Rules();
@@ -359,7 +359,7 @@ export class Outside {
   /** A job as the host gives it, with what is asked for, or why it cannot be shown. */
   private read(
     value: unknown,
-    asked: Asked = {},
+    asked: HostRequest = {},
   ): { job?: Draft; own?: Draft; refusal?: Finding } {
     const { store } = this;
     let job = value;

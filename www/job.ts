@@ -75,7 +75,7 @@ export function alike(a: unknown, b: unknown): boolean {
 }
 
 /** The parts of a job that belong to one of its cycles. */
-export interface Own {
+export interface CycleParts {
   cycle: Draft;
   /** How much larger the sizes of the virtual part are. */
   sizes: Draft;
@@ -84,11 +84,11 @@ export interface Own {
 }
 
 /** The parts of a job that belong to a cycle, in other units. */
-export function ownIn(
+export function convertCycleParts(
   units: "mm" | "inch",
-  { cycle, sizes, tolerances }: Own,
+  { cycle, sizes, tolerances }: CycleParts,
   from: "mm" | "inch",
-): Own {
+): CycleParts {
   const job = {
     format: 1,
     units: from,

@@ -14,13 +14,13 @@ const isFirst = /\bfirst-(mm|inch)\b/.test(document.documentElement.className);
 const pictures: SVGElement[] = [];
 const load = () => init({ module_or_path: address });
 /** Once more after a while: what was typed meanwhile must not be lost with a connection. */
-const again = () => new Promise((done) => setTimeout(done, 2000)).then(load);
+const retry = () => new Promise((done) => setTimeout(done, 2000)).then(load);
 const loaded = load()
-  .catch(again)
-  .catch(again)
+  .catch(retry)
+  .catch(retry)
   .then(() => {
     arrival = null;
-    stand = null;
+    prebuiltAnswers = null;
     for (const picture of pictures) picture.remove();
   });
 
@@ -28,7 +28,7 @@ const loaded = load()
 export let arrival: Promise<void> | null = isFirst ? loaded : null;
 
 /** What answers until the module is there. */
-export let stand: Raw | null = null;
+export let prebuiltAnswers: Raw | null = null;
 
 // Its failure is reported where it is awaited.
 loaded.catch(() => undefined);
@@ -37,7 +37,7 @@ const known = isFirst
   : null;
 // The module may have been faster.
 if (known && arrival) {
-  stand = known.answers();
+  prebuiltAnswers = known.answers();
   showPicture();
 } else await loaded;
 

@@ -27,10 +27,10 @@ export abstract class Machine extends Document {
   /** The work offset on another control: the job's, or else the one that the present control has not. */
   protected offsetFor(post: unknown): unknown {
     const old = this.draft.control as Draft;
-    if (old.workOffset === null && this.lost)
-      return this.offsetOn(post, this.lost);
+    if (old.workOffset === null && this.controlWithOffset)
+      return this.offsetOn(post, this.controlWithOffset);
     const offset = this.offsetOn(post, old);
-    if (offset === null && old.workOffset !== null) this.lost = old;
+    if (offset === null && old.workOffset !== null) this.controlWithOffset = old;
     return offset;
   }
 
@@ -42,7 +42,7 @@ export abstract class Machine extends Document {
     )
       return;
     const word = this.offsetWord(post, workOffset) ?? String(workOffset);
-    this.tell([
+    this.announce([
       w("This control has no {offset}: the program now writes no work offset"),
       word,
     ]);
@@ -141,7 +141,7 @@ export abstract class Machine extends Document {
     const fixed = this.fixed();
     for (const key of Object.keys(taken)) {
       draft[key] = structuredClone(fitted[key]);
-      this.given?.add(key);
+      this.editedPaths?.add(key);
       this.forget(key);
     }
     fixed.keep(draft);

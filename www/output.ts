@@ -7,14 +7,14 @@ import {
   misfit,
   type Plan,
   plan,
-  type Said,
+  type Message,
 } from "./core/browser.js";
 import { LEVELS } from "./core/layout.js";
 import { programStem, stem } from "./core/names.js";
 import { codeOf } from "./core/results.js";
-import { Entries } from "./entries.js";
-import { Features } from "./features.js";
-import type { Outside } from "./host-inputs.js";
+import { CatalogView } from "./entries.js";
+import { CycleList } from "./features.js";
+import type { HostInputs } from "./host-inputs.js";
 import type { Draft } from "./job.js";
 import { keepFiles } from "./persistence.js";
 import { w } from "./words.js";
@@ -51,9 +51,9 @@ const contentOf = (text: string): string =>
   /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
 
 /** The plan of the job in the form, and the move of it that is lit. */
-export abstract class Output extends Entries {
+export abstract class Output extends CatalogView {
   /** The cycles of a set-up, of which one is in the form. */
-  readonly features = new Features();
+  readonly features = new CycleList();
   findings: Finding[] = [];
   /** The last good plan of this document; an empty one where there was none. */
   plan: Plan = NO_PLAN;
@@ -79,7 +79,7 @@ export abstract class Output extends Entries {
   protected files = new Map<string, string>();
 
   /** What the host page puts in. */
-  abstract readonly outside: Outside;
+  abstract readonly outside: HostInputs;
 
   /** The whole job. */
   abstract get job(): Draft;
@@ -134,7 +134,7 @@ export abstract class Output extends Entries {
   protected inForm(findings: Finding[]): Finding[] {
     const { features } = this;
     return features.several
-      ? findings.map((f) => ({ ...f, path: features.inForm(f.path) }))
+      ? findings.map((f) => ({ ...f, path: features.toFormPath(f.path) }))
       : findings;
   }
 
@@ -144,7 +144,7 @@ export abstract class Output extends Entries {
   }
 
   /** The findings about this job. */
-  get ofJob(): Finding[] {
+  get jobFindings(): Finding[] {
     return this.findings.filter((f) => !this.isOfControl(f));
   }
 
@@ -190,7 +190,7 @@ export abstract class Output extends Entries {
   }
 
   /** Whether neither the program nor a native cycle computes results on this control. */
-  get bare(): boolean {
+  get computesNothing(): boolean {
     const { post, form } = this.shown.control as { post: string; form: string };
     return form !== "cycle" && this.postOf(post)?.computes === false;
   }
@@ -287,7 +287,7 @@ export abstract class Output extends Entries {
   }
 
   /** Why a job cannot be shown; null where it can. */
-  unusable(job: unknown): Said | null {
+  unusable(job: unknown): Message | null {
     const format = check(job).find(
       (f) => f.level === "error" && f.path === "format",
     );

@@ -4,7 +4,7 @@ import {
   proposedStock,
   type ResultTolerance,
 } from "./core/browser.js";
-import type { Features } from "./features.js";
+import type { CycleList } from "./features.js";
 import { alike, type Draft, isObject, putAt } from "./job.js";
 import { Machine } from "./machine.js";
 import { placedBeside } from "./place-feature.js";
@@ -27,9 +27,9 @@ export abstract class PartEditor extends Machine {
     const job = this.readySetUps.find((one) => one.entry.key === key)?.job;
     if (!job) return;
     const { form } = this.draft.control as Draft;
-    this.load(job, "", this.given);
+    this.load(job, "", this.editedPaths);
     if ((job.control as Draft).form !== form)
-      this.tell([
+      this.announce([
         w(
           "The program uses moves: native cycles cannot compute with each other's results",
         ),
@@ -47,7 +47,7 @@ export abstract class PartEditor extends Machine {
     const fits = stock && !isFixed && alike(stock, proposedStock(this.job));
     this.arrange(() => {
       this.features.add(this.draft, cycle);
-      this.features.bring(this.draft, this.features.hand + 1);
+      this.features.activate(this.draft, this.features.hand + 1);
       if (fits) this.draft.stock = proposedStock(this.job) ?? stock;
     });
   }
@@ -55,7 +55,7 @@ export abstract class PartEditor extends Machine {
   /** Duplicates a feature and makes the copy active. */
   duplicateFeature(index: number): void {
     this.arrange(() => {
-      this.features.bring(this.draft, index);
+      this.features.activate(this.draft, index);
       const { cycle, part, tolerances } = structuredClone(this.draft) as Record<
         string,
         Draft
@@ -64,7 +64,7 @@ export abstract class PartEditor extends Machine {
         sizes: part?.sizes as Draft,
         tolerances: tolerances ?? {},
       });
-      this.features.bring(this.draft, index + 1);
+      this.features.activate(this.draft, index + 1);
     });
   }
 
@@ -87,7 +87,7 @@ export abstract class PartEditor extends Machine {
     if (!one || (!one.off && all.filter(({ off }) => !off).length === 1))
       return;
     this.arrange(() => {
-      this.features.stow(this.draft);
+      this.features.storeActive(this.draft);
       this.features.all[index] = {
         ...(this.features.all[index] as typeof one),
         off: !one.off,
@@ -98,7 +98,7 @@ export abstract class PartEditor extends Machine {
   /** Brings the cycle at a place into the form. Nothing of the job is changed. */
   bringFeature(index: number): void {
     if (!this.features.several || index === this.features.hand) return;
-    this.features.bring(this.draft, index);
+    this.features.activate(this.draft, index);
     this.typed.clear();
     this.focus(null);
     this.changed();
@@ -129,7 +129,7 @@ export abstract class PartEditor extends Machine {
       if (needs) putAt(this.draft, "limits.position", proposed);
     });
     if (needs)
-      this.tell([
+      this.announce([
         w("{what} is followed up to {limit} away: Position limit"),
         result.slice(1),
         `${proposed} ${this.units}`,
@@ -144,10 +144,10 @@ export abstract class PartEditor extends Machine {
   }
 
   /** Changes the relations between results. */
-  relate(change: (features: Features) => void): void {
+  relate(change: (features: CycleList) => void): void {
     this.arrange(() => {
       const { features, draft } = this;
-      features.stow(draft);
+      features.storeActive(draft);
       change(features);
       // What follows a relation goes by its new name, in the form too.
       draft.cycle = features.all[features.hand]?.cycle ?? draft.cycle;
@@ -230,7 +230,7 @@ export abstract class PartEditor extends Machine {
       this.pinned = null;
       this.highlight = null;
     }
-    this.given?.add("cycle");
+    this.editedPaths?.add("cycle");
     this.settle();
     this.changed();
   }

@@ -3,7 +3,7 @@ import {
   type Catalog,
   catalog,
   JobError,
-  type Said,
+  type Message,
   say,
   type Words,
 } from "./core/browser.js";
@@ -30,12 +30,12 @@ export class Phrases extends EventTarget {
   }
 
   /** What is said, in the language of the page. */
-  say(said: Said): string {
+  say(said: Message): string {
     return say(said, this.words);
   }
 
   /** A text of the page in its language; the values replace the names in its braces. */
-  t(template: string, ...values: (string | number | Said)[]): string {
+  t(template: string, ...values: (string | number | Message)[]): string {
     return this.say([
       template,
       ...values.map((value) =>
@@ -64,7 +64,7 @@ export class Phrases extends EventTarget {
       : this.t("{message} (and {count} more)", first.said, errors.length - 1);
   }
 
-  protected refusal(said: Said, findings: Finding[] = []): Refusal {
+  protected refusal(said: Message, findings: Finding[] = []): Refusal {
     return new Refusal(this.say(said), findings);
   }
 }

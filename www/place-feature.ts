@@ -1,6 +1,6 @@
 // Position and sizes of a feature that is added to a job.
 import { type Job, JobError, type Plan, plan } from "./core/browser.js";
-import type { Entries } from "./entries.js";
+import type { CatalogView } from "./entries.js";
 import type { Draft } from "./job.js";
 import { tidy } from "./number.js";
 
@@ -14,7 +14,7 @@ const CLEARANCE = { mm: 25, inch: 1 };
  * if the last one has errors.
  */
 export function placedBeside(
-  job: Entries,
+  job: CatalogView,
   present: Plan,
   fresh: Draft,
   last: Draft = {},

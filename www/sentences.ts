@@ -1,6 +1,6 @@
 // The plan of the page in words: a move, the run, a result, and how the virtual part lies.
 import { PROGRAM_POST_TITLES } from "./core/program-posts.js";
-import type { Plan, ProgramMoves, ResultRow, Said } from "./core/types.js";
+import type { Plan, ProgramMoves, ResultRow, Message } from "./core/types.js";
 import type { Draft, Store } from "./store.js";
 import { w } from "./words.js";
 
@@ -32,11 +32,11 @@ const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
 function parts(
   store: Store,
   { kind, touch, to, feed, cycle, step }: Plan["moves"][number],
-): { what: Said; place: string } {
-  const what: Said = {
-    position: [feed === "longLink" ? w("link") : w("positioning")] as Said,
-    touch: [w("touch {touch}"), String(store.touchNumber(touch ?? 0))] as Said,
-    back: [w("back")] as Said,
+): { what: Message; place: string } {
+  const what: Message = {
+    position: [feed === "longLink" ? w("link") : w("positioning")] as Message,
+    touch: [w("touch {touch}"), String(store.touchNumber(touch ?? 0))] as Message,
+    back: [w("back")] as Message,
   }[kind];
   const place = ["X", "Y", "Z"].map(
     (axis, i) =>
@@ -45,7 +45,7 @@ function parts(
   const name =
     store.plan.cycles.length > 1 ? store.plan.cycles[cycle] : undefined;
   if (name === undefined) return { what, place: place.join(" ") };
-  const said: Said =
+  const said: Message =
     step === 0
       ? [w("on the way to {cycle}"), name]
       : [w("{cycle}: {what}"), name, what];
@@ -62,7 +62,7 @@ export function moveInWords(
   const move = moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
   // The macros have feeds of their own.
-  const said: Said = store.plan.program.own
+  const said: Message = store.plan.program.own
     ? [w("call {step}, {what}, to {place}"), String(move.step), what, place]
     : [
         w("step {step}, {what}, {feed}, to {place}"),

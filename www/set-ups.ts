@@ -8,7 +8,7 @@ import {
   proposedStock,
 } from "./core/browser.js";
 import { isWritten } from "./core/results.js";
-import type { Entries, Form } from "./entries.js";
+import type { CatalogView, Form } from "./entries.js";
 import { alike, type Draft, valueAt } from "./job.js";
 import { w } from "./words.js";
 
@@ -135,7 +135,7 @@ export const SET_UPS: SetUpEntry[] = [
 ];
 
 /** The set-ups that the control of the job can write as their cards promise, in the form of the job or else in moves, and that the host page allows. */
-export function readySetUps(present: Entries): ReadySetUp[] {
+export function readySetUps(present: CatalogView): ReadySetUp[] {
   if (!present.rules.allowsSetUps) return [];
   return SET_UPS.flatMap((entry) => {
     const job = suitable(present, entry);
@@ -143,7 +143,7 @@ export function readySetUps(present: Entries): ReadySetUp[] {
   });
 }
 
-function suitable(present: Entries, entry: SetUpEntry): Draft | undefined {
+function suitable(present: CatalogView, entry: SetUpEntry): Draft | undefined {
   const { post, form } = present.draft.control as Draft;
   const types = (entry.job.cycles as { type: Cycle["type"] }[]).map(
     ({ type }) => type,
@@ -161,7 +161,7 @@ function suitable(present: Entries, entry: SetUpEntry): Draft | undefined {
 }
 
 /** A set-up with the machine, feeds and units of the job in the form. */
-function jobOf(present: Entries, { key, job, writes }: SetUpEntry, form: Form) {
+function jobOf(present: CatalogView, { key, job, writes }: SetUpEntry, form: Form) {
   const { cycle: _, part, tolerances: __, ...rest } = present.draft;
   const mm = { format: 2, units: "mm", part: {}, ...job } as unknown as Job;
   const { limits, ...whole } = convertUnits(
@@ -188,7 +188,7 @@ function jobOf(present: Entries, { key, job, writes }: SetUpEntry, form: Form) {
 
 /** Whether a job writes every axis of its set-up and keeps every locked field. Not every control can write a rotation: the cards say so. */
 function keepsPromise(
-  { rules, draft }: Entries,
+  { rules, draft }: CatalogView,
   { job, writes }: SetUpEntry,
   whole: Draft,
 ): boolean {

@@ -4,12 +4,12 @@ import {
   type CycleEntry,
   defaultJob,
   jobName,
-  type Said,
+  type Message,
 } from "./core/browser.js";
-import { type Left, noPoints, type Points } from "./document.js";
-import { Features, type SetUpState } from "./features.js";
-import { Outside } from "./host-inputs.js";
-import { complete, type Draft, isObject, ownIn, putAt } from "./job.js";
+import { type SavedCycle, noPoints, type Points } from "./document.js";
+import { CycleList, type SetUpState } from "./features.js";
+import { HostInputs } from "./host-inputs.js";
+import { complete, type Draft, isObject, convertCycleParts, putAt } from "./job.js";
 import { PartEditor } from "./part-editor.js";
 import { keepCam, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { w } from "./words.js";
@@ -25,7 +25,7 @@ interface State {
   draft: Draft;
   typed: [string, string][];
   points?: Points;
-  left?: [string, Left][];
+  left?: [string, SavedCycle][];
   given?: string[];
   features?: SetUpState;
 }
@@ -33,9 +33,9 @@ interface State {
 /** The state of the page: machine, features and document of the job, its plan, and what is stored in the browser. */
 export class Store extends PartEditor {
   /** What the host page puts in. */
-  readonly outside = new Outside(this);
+  readonly outside = new HostInputs(this);
   /** Message about the state found in the browser's storage. */
-  notice: Said | null = null;
+  notice: Message | null = null;
   protected readonly local: boolean;
   protected cams = false;
   protected camAsked: boolean | null = null;
@@ -59,12 +59,12 @@ export class Store extends PartEditor {
       this.compute();
     }
     this.cams = local && keptCam();
-    this.ownName = jobName(this.draft);
+    this.automaticName = jobName(this.draft);
   }
 
   /** Fills in the fields that still have their defaults by other rules. */
   configure(): void {
-    const { given, rules } = this;
+    const { editedPaths: given, rules } = this;
     if (given) {
       const type = this.cycle.type;
       const first = rules.firstOf(this.catalog.cycles.map((one) => one.type));
@@ -104,7 +104,7 @@ export class Store extends PartEditor {
     const { post } = this.draft.control as Draft;
     this.takeControl(type, fresh.control as Draft);
     this.document = ++this.documents;
-    const { cycle, sizes, tolerances } = ownIn(
+    const { cycle, sizes, tolerances } = convertCycleParts(
       units,
       {
         cycle: back?.cycle ?? (fresh.cycle as Draft),
@@ -114,9 +114,9 @@ export class Store extends PartEditor {
       back?.units ?? units,
     );
     // A form that comes back was filled in before.
-    for (const path of [...(this.given ?? [])])
-      if (path.startsWith("cycle")) this.given?.delete(path);
-    if (back) this.given?.add("cycle");
+    for (const path of [...(this.editedPaths ?? [])])
+      if (path.startsWith("cycle")) this.editedPaths?.delete(path);
+    if (back) this.editedPaths?.add("cycle");
     this.draft.cycle = cycle;
     this.features.called(cycle);
     part.sizes = sizes;
@@ -130,9 +130,9 @@ export class Store extends PartEditor {
     const now = (this.draft.control as Draft).post;
     const own = (fresh.control as Draft).post;
     const title = (id: unknown) => this.postOf(id)?.title ?? String(id);
-    if (!this.byUser) return;
+    if (!this.userChange) return;
     if (now !== post)
-      this.tell([
+      this.announce([
         w(
           "{control} does not support this cycle: the program is now for {other}",
         ),
@@ -140,7 +140,7 @@ export class Store extends PartEditor {
         title(now),
       ]);
     else if (own !== now && this.formsOf(own, type).includes("cycle"))
-      this.tell([
+      this.announce([
         w(
           "This is a cycle of {control}; the program for {other} makes its moves",
         ),
@@ -150,7 +150,7 @@ export class Store extends PartEditor {
   }
 
   /** What is said of a text that is too long to be read. */
-  tooLong(length: number, what: "text" | "file" | "paste" = "text"): Said {
+  tooLong(length: number, what: "text" | "file" | "paste" = "text"): Message {
     const count = (n: number) => n.toLocaleString(this.lang);
     const templates = {
       file: w(
@@ -234,11 +234,11 @@ export class Store extends PartEditor {
         typed: [...this.typed],
         points: this.points,
         left: [...this.left],
-        ...(this.given ? { given: [...this.given] } : {}),
+        ...(this.editedPaths ? { given: [...this.editedPaths] } : {}),
         ...(this.features.several ? { features: this.features.state() } : {}),
       }),
       () =>
-        this.tell([
+        this.announce([
           w(
             "This browser stores nothing: save the job as a file before you close the page",
           ),
@@ -252,8 +252,8 @@ export class Store extends PartEditor {
       const { draft, typed, points, left, given, features } = (
         isObject(state) ? state : {}
       ) as Partial<State>;
-      const several = Features.fits(features) ? features : null;
-      if (several) this.features.become(several);
+      const several = CycleList.fits(features) ? features : null;
+      if (several) this.features.restoreSnapshot(several);
       const problem = this.unusable(
         several && isObject(draft) ? this.features.compose(draft) : draft,
       );
@@ -277,7 +277,7 @@ export class Store extends PartEditor {
       this.left = new Map(
         Array.isArray(left) ? left.filter((one) => this.isLeft(one)) : [],
       );
-      this.given = Array.isArray(given)
+      this.editedPaths = Array.isArray(given)
         ? new Set(given.filter((path) => typeof path === "string"))
         : null;
       this.document = ++this.documents;
@@ -288,7 +288,7 @@ export class Store extends PartEditor {
   }
 
   /** Whether something kept is a form of a cycle that can be shown again. */
-  protected isLeft(one: unknown): one is [string, Left] {
+  protected isLeft(one: unknown): one is [string, SavedCycle] {
     const [type, left] = Array.isArray(one) ? one : [];
     if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points))
       return false;

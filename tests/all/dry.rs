@@ -102,7 +102,7 @@ fn every_cycle_has_a_dry_run_on_every_control_that_takes_moves() {
 /// Whatever can be measured can be run dry.
 #[test]
 fn every_job_of_moves_has_a_dry_run() {
-    law(300, 60, (whole_job(), 0.0..200.0f64), |(job, lift)| {
+    law(300, 30, (whole_job(), 0.0..200.0f64), |(job, lift)| {
         let Ok(normal) = plan(&job) else {
             return Ok(false);
         };

@@ -216,7 +216,7 @@ fn controls_and_cycles_do_not_name_each_other() {
                 number + 1
             );
             assert!(
-                module != "cycle" || !controls || line.contains("home:"),
+                module != "cycle" || !controls || line.contains("default_control:"),
                 "{file}:{}: {line}",
                 number + 1
             );

@@ -30,7 +30,7 @@ import type {
   ProgramRun,
   ProgramText,
   ResultRow,
-  Said,
+  Message,
   SetUp,
 } from "./types.js";
 import type { Packed } from "./unpacked.js";
@@ -69,7 +69,7 @@ export function proposedStock(job: unknown): Job["stock"] {
 }
 
 /** Why the form cannot show a job, as a sentence that names the path; null where it can. A single value may still be wrong. @internal */
-export function misfit(job: unknown): Said | null {
+export function misfit(job: unknown): Message | null {
   return on(job, (codes, text) => raw.misfit(codes, text));
 }
 
@@ -337,7 +337,7 @@ export function exportTable(
 }
 
 /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
-export function meanings(job: Job | SetUp): Said[] {
+export function meanings(job: Job | SetUp): Message[] {
   return meaningsOf(handed(coded(job), raw.meanings));
 }
 
@@ -363,7 +363,7 @@ export function lentoax(query?: LentoaxQuery): Lentoax {
 export function lentoaxWords(query?: LentoaxQuery): {
   meaning: string;
   sentence: string;
-  said: Said;
+  said: Message;
   program: string;
 } {
   return on(query, raw.lentoaxWords);
@@ -429,7 +429,7 @@ function parsed(text: string): unknown {
     return undefined;
   }
   if (levels(text) > DEEPEST_JSON) {
-    const said: Said = [TOO_DEEP, String(DEEPEST_JSON)];
+    const said: Message = [TOO_DEEP, String(DEEPEST_JSON)];
     throw new JobError(say(said), [
       {
         level: "error",

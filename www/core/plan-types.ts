@@ -1,7 +1,7 @@
 // Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
 import type { Cycle, PostId, Relation, Vec3 } from "./job-types.js";
-import type { Said } from "./said.js";
+import type { Message } from "./said.js";
 
 /** Every code of a finding; docs/findings.md says what each means. */
 export type FindingCode =
@@ -362,7 +362,7 @@ export interface Finding {
   /** Message in plain words, with numbers in the units of the job. */
   message: string;
   /** The message as a template and its values: with a list of words it can be translated. */
-  said: Said;
+  said: Message;
 }
 
 /** A touch of the nominal part. */
@@ -461,11 +461,11 @@ export interface ResultRow {
 /** Texts of a result, for translation. */
 export interface ResultWords {
   /** Description of the value. */
-  meaning: Said;
+  meaning: Message;
   /** Good, rework or scrap, if there is a tolerance. */
-  verdict: Said | null;
+  verdict: Message | null;
   /** Reason why the value differs from the true value, if it does. */
-  note: Said | null;
+  note: Message | null;
 }
 
 /** Proof of a program of moves: read back, it is the path. */
@@ -487,7 +487,7 @@ export interface SafetyRow {
   /** The requirement, the fault, or the reason why the control cannot guarantee it. */
   message: string;
   /** `message` as a template and its values. */
-  said: Said;
+  said: Message;
   /** The 0-based lines that break it. */
   lines: number[];
   /** The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it. */
@@ -509,7 +509,7 @@ export interface ProgramText {
   /** Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
   does: string;
   /** `does` as a template and its values. */
-  said: Said;
+  said: Message;
   /** Proof of the program; null in the form `cycle`. */
   proof: ProofRow | null;
   /** Whether the moves of the plan are those of native cycles that the program calls. */

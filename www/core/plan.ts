@@ -12,7 +12,7 @@ import {
   TOUCHES,
   TRIGGERS,
 } from "./layout.js";
-import { type Said, say } from "./said.js";
+import { type Message, say } from "./said.js";
 import type {
   DatumRow,
   Finding,
@@ -130,7 +130,7 @@ export function tableOf(packed: Packed): ParameterRow[] {
 }
 
 /** What its rows mean, in their order. */
-export function meaningsOf(packed: Packed): Said[] {
+export function meaningsOf(packed: Packed): Message[] {
   const r = new Unpacked(packed);
   return r.list(() => r.said());
 }

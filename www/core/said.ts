@@ -4,7 +4,7 @@
  * A sentence as its English template, then the values of the names in its braces, in the order in which these first appear: a string that is
  * the same in every language (a number with its unit, a code, what a user typed), or again something said.
  */
-export type Said = [template: string, ...values: (string | Said)[]];
+export type Message = [template: string, ...values: (string | Message)[]];
 
 /**
  * Words of a language: for an English template the one in that language, with the same names in braces. What is missing stays English. The entry `0.5`
@@ -50,7 +50,7 @@ function piecesOf(text: string): Piece[] {
 }
 
 /** A message as text: in English, or in another language by its words. */
-export function say(said: Said, words: Words = {}): string {
+export function say(said: Message, words: Words = {}): string {
   const template = said[0];
   // What hangs on the prototype of an object is no word.
   const text = Object.hasOwn(words, template)

@@ -3,12 +3,15 @@
 import type { FrameStep, Job, SetUp, Vec3 } from "./job-types.js";
 import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
 import type { PROGRAM_POSTS } from "./program-posts.js";
-import type { Said } from "./said.js";
 
 export type * from "./config-types.js";
 export type * from "./job-types.js";
 export type * from "./plan-types.js";
-export type { Said, Words } from "./said.js";
+import type { Message } from "./said.js";
+
+export type { Message, Words } from "./said.js";
+/** Former name of {@link Message}. @deprecated Use `Message`. */
+export type Said = Message;
 
 /** The moves as typed arrays: three numbers of `to` a move; `feed` and `kind` index into `feeds` and `kinds`; no touch is −1. */
 export interface MoveColumns {
@@ -100,7 +103,7 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
     rule: string;
     holds: boolean | null;
     message: string;
-    said: Said;
+    said: Message;
     lines: number[];
   }[];
   /** The lines that name the lines below them, 0-based: programs, subroutines, labels. */

@@ -1,5 +1,5 @@
 // Numbers and texts of the module, read in the order in which src/border/packed.rs writes them.
-import type { Said } from "./said.js";
+import type { Message } from "./said.js";
 import type { Vec3 } from "./types.js";
 
 /** What the module hands out. */
@@ -69,14 +69,14 @@ export class Unpacked {
   }
 
   /** What is said: a count of values, the template, the values. */
-  said(): Said {
+  said(): Message {
     return this.saidOrNone() ?? [""];
   }
 
-  saidOrNone(): Said | null {
+  saidOrNone(): Message | null {
     const count = this.index();
     if (count === null) return null;
-    const said: Said = [this.text()];
+    const said: Message = [this.text()];
     for (let left = count; left > 0; left--)
       said.push(this.saidOrNone() ?? this.text());
     return said;

@@ -58,7 +58,7 @@ export function followJob(
   /** Whether a change by the user still waits for its `change` event. */
   let commit = false;
   const committed = () => {
-    if (!commit || !store.byUser) return;
+    if (!commit || !store.userChange) return;
     commit = false;
     element.dispatchEvent(new Event("change", { bubbles: true }));
   };
@@ -124,7 +124,7 @@ export function followJob(
     }
   };
   store.addEventListener("change", () => {
-    changed(store.byUser);
+    changed(store.userChange);
     // The selected move may be gone with its plan.
     selected();
   });

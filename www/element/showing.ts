@@ -122,7 +122,7 @@ export abstract class Showing extends Base {
   }
 
   /** Shows panels of the job in another element: what is to be put into it, or is put into it again. @internal */
-  async lend(
+  async attachPanel(
     part: Borrower,
     again?: App,
   ): Promise<{ app: App; styles: CSSStyleSheet[] }> {
@@ -134,7 +134,7 @@ export abstract class Showing extends Base {
         host: this,
         local: false,
         links: false,
-        lent: true,
+        isRemotePanel: true,
       });
     if (!again) {
       if (this.words.has("view")) app.view = this.view;
@@ -146,7 +146,7 @@ export abstract class Showing extends Base {
   }
 
   /** The other element shows them no longer. @internal */
-  takeBack(part: Borrower): void {
+  detachPanel(part: Borrower): void {
     this.lent.delete(part);
   }
 

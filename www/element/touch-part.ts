@@ -15,7 +15,7 @@ export class TouchPart extends Base {
   /** What is shown, and of whose job: kept while this is out of the document. */
   private held: { session: TouchPath; app: App } | null = null;
   /** Whose job is shown, or is about to be. */
-  private whose: TouchPath | null = null;
+  private owner: TouchPath | null = null;
   private asked: unknown = null;
   private root: Node | null = null;
   private attempt = new Attempt();
@@ -34,7 +34,7 @@ export class TouchPart extends Base {
   get session(): TouchPath | null {
     const session = this.asked ?? this.found();
     // One whose class is not known yet shows nothing so far.
-    return session instanceof HTMLElement && "lend" in session
+    return session instanceof HTMLElement && "attachPanel" in session
       ? (session as TouchPath)
       : null;
   }
@@ -77,10 +77,10 @@ export class TouchPart extends Base {
     if (name === "for") this.attach();
     else {
       const refused =
-        value === null ? [] : (this.whose?.refusals({ panels: value }) ?? []);
+        value === null ? [] : (this.owner?.refusals({ panels: value }) ?? []);
       if (refused.length > 0)
-        this.whose?.tell("finding", { findings: refused, refused: true });
-      this.whose?.applyOptions();
+        this.owner?.tell("finding", { findings: refused, refused: true });
+      this.owner?.applyOptions();
     }
   }
 
@@ -99,37 +99,37 @@ export class TouchPart extends Base {
 
   private async attach(): Promise<void> {
     const session = this.isConnected ? this.session : null;
-    if (session === this.whose) return;
+    if (session === this.owner) return;
     this.detach();
-    this.whose = session;
+    this.owner = session;
     if (!session) return;
     const { attempt } = this;
     const root = this.shadowRoot as ShadowRoot;
     try {
-      const { app, styles } = await session.lend(
+      const { app, styles } = await session.attachPanel(
         this,
         this.held?.session === session ? this.held.app : undefined,
       );
-      if (this.whose !== session) return session.takeBack(this);
+      if (this.owner !== session) return session.detachPanel(this);
       this.held = { session, app };
       root.adoptedStyleSheets = styles;
       root.replaceChildren(app);
       await app.updateComplete;
       attempt.done();
     } catch (why) {
-      if (this.whose !== session) return;
+      if (this.owner !== session) return;
       // It is tried again when the element comes back.
-      session.takeBack(this);
-      this.whose = null;
+      session.detachPanel(this);
+      this.owner = null;
       root.replaceChildren(failure(why));
       attempt.fail(why);
     }
   }
 
   private detach(): void {
-    if (this.attempt.over || this.whose) this.attempt = new Attempt();
-    this.whose?.takeBack(this);
-    this.whose = null;
+    if (this.attempt.over || this.owner) this.attempt = new Attempt();
+    this.owner?.detachPanel(this);
+    this.owner = null;
     this.shadowRoot?.replaceChildren(document.createElement("slot"));
   }
 }

@@ -82,10 +82,10 @@ export class TouchPath extends Showing {
   private attempt = new Attempt();
   private loading = false;
   /** What the attributes said before there was anything to put it into, and what was set since. */
-  private readonly waiting: Inputs = {};
+  private readonly pendingInputs: Inputs = {};
   private readonly later: Inputs = {};
   /** What is set while the page is shown and its module not there yet; null at any other time. */
-  private early: Inputs | null = null;
+  private beforeLoad: Inputs | null = null;
   /** What the browser puts back into a form. */
   private restored: unknown;
   /** What a form puts back. */
@@ -159,7 +159,7 @@ export class TouchPath extends Showing {
   ): void {
     if (value === before) return;
     if ((INPUTS as readonly string[]).includes(name)) {
-      this.put(name as Input, value, this.waiting);
+      this.put(name as Input, value, this.pendingInputs);
     } else if (name === "lang") this.app?.reword();
     else {
       if (isWordy(name)) this.word(name, value);
@@ -283,7 +283,7 @@ export class TouchPath extends Showing {
 
   /** Saves the program as the Save button does: fires `program-save`, and saves a file unless that event is cancelled. Returns `false` if the job has errors or the element is not loaded. */
   save(): boolean {
-    return this.early === null && (this.app?.save() ?? false);
+    return this.beforeLoad === null && (this.app?.save() ?? false);
   }
 
   /** Undoes the user's last step, as Ctrl+Z does, and fires `job-change`. Returns `false` if there is nothing to undo. */
@@ -314,7 +314,7 @@ export class TouchPath extends Showing {
 
   /** The picture in its present view, as SVG text; `null` without a plan. For a job with errors, the picture of its last good plan. */
   picture(): string | null {
-    return this.early === null ? (this.pictured?.svg() ?? null) : null;
+    return this.beforeLoad === null ? (this.pictured?.svg() ?? null) : null;
   }
 
   /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
@@ -349,7 +349,7 @@ export class TouchPath extends Showing {
     const { store } = this;
     return store
       ? JSON.stringify(store.job)
-      : (textOf(this.later.job ?? this.waiting.job) ?? "");
+      : (textOf(this.later.job ?? this.pendingInputs.job) ?? "");
   }
 
   set value(value: string) {
@@ -476,7 +476,7 @@ export class TouchPath extends Showing {
         "../parts/app.js"
       );
       const local = this.storage === "local";
-      const given = { config: this.inScript(), ...this.waiting };
+      const given = { config: this.inScript(), ...this.pendingInputs };
       // Before the module is there only the job of a first visit can be shown: another tab may have kept one by now.
       const inputs = { ...given, ...this.later, restored: this.restored };
       if (
@@ -489,7 +489,7 @@ export class TouchPath extends Showing {
         local,
         ...(this.links ? { first: FIRST_CYCLE } : {}),
       });
-      this.early = awaited() ? {} : null;
+      this.beforeLoad = awaited() ? {} : null;
       this.store = store;
       this.take(given);
       this.take(this.later);
@@ -517,7 +517,7 @@ export class TouchPath extends Showing {
       if (this.words.has("view")) app.view = this.words.get("view") as View;
       // One that was taken out meanwhile is drawn when it is put in again.
       if (this.isConnected) await app.updateComplete;
-      if (this.early) await this.arrive(app, hold(this.shadow));
+      if (this.beforeLoad) await this.arrive(app, hold(this.shadow));
     } catch (thrown) {
       this.shadow.replaceChildren(failure(thrown));
       throw thrown;
@@ -532,12 +532,12 @@ export class TouchPath extends Showing {
     try {
       await app.arrived();
     } catch (thrown) {
-      this.early = null;
+      this.beforeLoad = null;
       release(false);
       throw thrown;
     }
-    const { early } = this;
-    this.early = null;
+    const { beforeLoad: early } = this;
+    this.beforeLoad = null;
     this.take(early ?? {});
     release(true);
   }
@@ -546,7 +546,7 @@ export class TouchPath extends Showing {
   private put(input: Input, value: unknown, early = this.later): void {
     if (value === undefined || (value === null && input === "job")) return;
     if (!this.store) early[input] = value;
-    else if (this.early) this.early[input] = value;
+    else if (this.beforeLoad) this.beforeLoad[input] = value;
     else if (value !== null) this.use(input, value);
     else if (input !== "job" && input !== "measured")
       this.store.outside.release(input);

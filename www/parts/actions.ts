@@ -1,6 +1,6 @@
 // What buttons, menus and lists ask of the page.
 import type { LitElement } from "lit";
-import { type Job, JobError, type Said } from "../core/browser.js";
+import { type Job, JobError, type Message } from "../core/browser.js";
 import type { Preset } from "../presets.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
@@ -26,7 +26,7 @@ interface Page {
   show(panel: Panel): void;
   /** Shows a panel, in this element or elsewhere on the page. */
   open(panel: Exclude<Panel, "setup">): Promise<void>;
-  tell(said: Said | null, passing?: boolean): void;
+  tell(said: Message | null, passing?: boolean): void;
 }
 
 export class Actions {

@@ -1,8 +1,8 @@
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** Amount in a panel, beside the door that opens it. No count of parameter rows: the table is made only when it is shown. */
-class AmountPart extends Part {
-  protected override follows = ["change"];
+class AmountPart extends StorePart {
+  protected override storeEvents = ["change"];
   declare of: string;
 
   static override properties = { of: { attribute: false } };

@@ -4,10 +4,10 @@ import {
   awaited,
   type Job,
   type ProgramMoves,
-  type Said,
+  type Message,
   type SetUp,
 } from "../core/browser.js";
-import { hold } from "../hold.js";
+import { bufferInput } from "../hold.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
 import { readAs } from "../sentences.js";
@@ -24,12 +24,12 @@ import "./form.js";
 import "./help.js";
 import "./measured.js";
 import { Actions } from "./actions.js";
-import type { Around } from "./around.js";
+import type { AppContext } from "./around.js";
 import { Export } from "./export.js";
 import { Intake, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
 import { actions, dialogs, type Frame, menu, type Theme } from "./menu.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 import "./paste.js";
 import type { PicturePart } from "./picture.js";
 import "./picture.js";
@@ -52,7 +52,7 @@ import { Size } from "./size.js";
 import "./table.js";
 import { MISSING, Tools } from "./tools.js";
 
-export { awaited, hold, kept, partStyles, Store, styles };
+export { awaited, bufferInput as hold, kept, partStyles, Store, styles };
 
 const system = matchMedia("(prefers-color-scheme: dark)");
 /** Colours that the user has chosen for every page. */
@@ -80,7 +80,7 @@ export class App extends LitElement {
   private shownMoves: ProgramMoves | null = null;
   /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
   private said: {
-    text: Said;
+    text: Message;
     passing: boolean;
     at: number;
     foot: boolean;
@@ -99,17 +99,17 @@ export class App extends LitElement {
 
   constructor(
     private readonly store: Store,
-    private readonly around: Around,
+    private readonly around: AppContext,
   ) {
     super();
-    if (store.notice && !around.lent) this.tell(store.notice);
+    if (store.notice && !around.isRemotePanel) this.tell(store.notice);
     new Refocus(this);
     this.tools = new Tools(this, {
       links: around.links,
       tell: (text) => this.tell(text),
       said: () => this.said?.text ?? null,
     });
-    this.language = around.lent
+    this.language = around.isRemotePanel
       ? null
       : new Language(this, store, around, () => {
           this.tell(MISSING);
@@ -157,7 +157,7 @@ export class App extends LitElement {
       saved: (name, other) => {
         const program =
           this.renderRoot.querySelector<ProgramPart>("tp-program");
-        const said: Said = other
+        const said: Message = other
           ? [
               w("Saved {file}, with other content than the one saved before"),
               name,
@@ -175,7 +175,7 @@ export class App extends LitElement {
       tools: this.tools,
       outlet: this.outlet,
       links: around.links,
-      away: () => this.away,
+      away: () => this.replacedBy,
       isWide: () => this.size.width >= WIDE,
       hasTab: (panel) => this.panels.includes(panel),
       show: (panel) => this.show(panel),
@@ -315,7 +315,7 @@ export class App extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { store, wanted, frame, said, away } = this;
+    const { store, wanted, frame, said, replacedBy: away } = this;
     const narrow = this.size.width < NARROW;
     const stacked =
       narrow || (this.size.width < WIDE && this.size.height > this.size.width);
@@ -328,7 +328,7 @@ export class App extends LitElement {
     const role = panels.length < 2 ? nothing : "tabpanel";
     // A wide page shows the state of the job above the results.
     const beside =
-      this.size.width >= WIDE && panels.length > 0 && !this.around.lent;
+      this.size.width >= WIDE && panels.length > 0 && !this.around.isRemotePanel;
     const first =
       this.size.width >= WIDE && active === "results" && panels.length > 1;
     const findings = html`<tp-findings .store=${store} .panels=${this.everywhere} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow} .tall=${beside}></tp-findings>`;
@@ -343,8 +343,8 @@ export class App extends LitElement {
     ];
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.actions.ask(e.detail)} @about=${(e: CustomEvent<string>) => this.actions.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.actions.choose(e.detail)}
-        @machine=${(e: CustomEvent<Preset>) => this.actions.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.find(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.with("program").actions.showLines(e.detail)}>
-      <header part="bar" ?hidden=${this.around.lent}>
+        @machine=${(e: CustomEvent<Preset>) => this.actions.machine(e.detail)} @say=${(e: CustomEvent<Message>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.find(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.with("program").actions.showLines(e.detail)}>
+      <header part="bar" ?hidden=${this.around.isRemotePanel}>
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .opened=${this.opened} .saves=${!narrow}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
@@ -395,7 +395,7 @@ export class App extends LitElement {
       ${this.tools.now === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job | SetUp>) => this.intake.adopt(e.detail)} @shown=${(e: CustomEvent<ProgramMoves>) => this.showsMoves(e.detail)}></tp-viewer>` : nothing}
       ${this.tools.now === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.tools.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tools.now === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" ?hidden=${this.around.lent || (beside && away === "" && !this.around.host.querySelector("[slot=footer]"))} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tools.now === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : beside ? nothing : findings}<slot name="footer"></slot></footer>
+      <footer part="footer" ?hidden=${this.around.isRemotePanel || (beside && away === "" && !this.around.host.querySelector("[slot=footer]"))} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tools.now === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : beside ? nothing : findings}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       ${this.tools.there.has("commands") ? html`<tp-commands .store=${store} .actions=${actions(frame)}></tp-commands>` : nothing}
       <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
@@ -424,7 +424,7 @@ export class App extends LitElement {
   }
 
   /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
-  private get away(): string {
+  private get replacedBy(): string {
     if (this.tools.now === "viewer")
       return this.t("An opened program is shown, not the job");
     return this.tools.now === "lengths"
@@ -434,7 +434,7 @@ export class App extends LitElement {
 
   /** What menu and dialogs show, and what they do. */
   private get frame(): Frame {
-    const { store, around, theme, away } = this;
+    const { store, around, theme, replacedBy: away } = this;
     return {
       store,
       local: around.local,
@@ -483,7 +483,7 @@ export class App extends LitElement {
     for (const part of this.renderRoot.querySelectorAll(
       "main:not([hidden]) > section:not([hidden]) > *",
     ))
-      if (part instanceof Part) part.catchUp();
+      if (part instanceof StorePart) part.catchUp();
   }
 
   private show(panel: Panel): void {
@@ -522,7 +522,7 @@ export class App extends LitElement {
 
   /** The job is shown in another language: what shows its panels elsewhere follows. */
   private readonly reworded = (): void => {
-    if (!this.around.lent) return;
+    if (!this.around.isRemotePanel) return;
     this.lang = this.store.lang;
     this.requestUpdate();
   };
@@ -553,10 +553,10 @@ export class App extends LitElement {
     // Once: in the element itself where that is seen, or else where what it is about is typed.
     const all = [...shown(this.store)];
     const one =
-      all.find((app) => !app.around.lent && app.checkVisibility()) ??
+      all.find((app) => !app.around.isRemotePanel && app.checkVisibility()) ??
       all.find((app) => app.sees("form"));
     if ((one ?? all[0]) === this)
-      this.tell((event as CustomEvent<Said>).detail, true);
+      this.tell((event as CustomEvent<Message>).detail, true);
   };
 
   /** Shows a panel, in this element or elsewhere on the page. */
@@ -585,13 +585,13 @@ export class App extends LitElement {
   };
 
   /** `passing`: it is true of the job as it is now, and of no later one. */
-  private tell(text: Said | null, passing = false, foot = passing): void {
+  private tell(text: Message | null, passing = false, foot = passing): void {
     const { revision, document } = this.store;
     this.said = text && {
       text,
       passing,
       at: passing ? revision : document,
-      foot: foot && !this.around.lent,
+      foot: foot && !this.around.isRemotePanel,
     };
     this.requestUpdate();
   }

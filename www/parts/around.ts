@@ -12,12 +12,12 @@ export interface Host extends HTMLElement {
 }
 
 /** What the element is in. */
-export interface Around {
+export interface AppContext {
   host: Host;
   /** Whether presets, theme and language are kept in this browser. */
   local: boolean;
   /** Whether links are followed and handed out. */
   links: boolean;
   /** Whether it shows panels of the job of another element: without bar and foot, and in the language of that element. */
-  lent?: boolean;
+  isRemotePanel?: boolean;
 }

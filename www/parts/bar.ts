@@ -29,7 +29,7 @@ const SLOTS = ["[what]", "[machine]", "[does]"];
 
 /** Head of the page: the sentence with features, machine and write summary, and the buttons for undo and save. */
 class BarPart extends FieldPart {
-  protected override follows = ["change", "machines"];
+  protected override storeEvents = ["change", "machines"];
   /** Whether links to the job are handed out. */
   links = false;
   /** Whether machines are kept in this browser. */

@@ -1,10 +1,10 @@
 import { html, type TemplateResult } from "lit";
 import { w } from "../words.js";
 import { type Drawing, VIEWS } from "./drawing.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** A part with a canvas, and what that needs while the part is there. */
-export abstract class CanvasPart extends Part {
+export abstract class CanvasPart extends StorePart {
   protected drawing?: Drawing;
   protected readonly observer = new ResizeObserver(() => this.restyle());
 

@@ -9,7 +9,7 @@ import {
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { LEVELS, NAMES, remedy } from "./findings.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 type Row = Plan["safety"][number];
 
@@ -63,16 +63,16 @@ function unheld(store: Store, count: number): string {
 }
 
 /** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
-class ChecksPart extends Part {
+class ChecksPart extends StorePart {
   static override properties = { linked: { attribute: false } };
-  protected override follows = ["change"];
+  protected override storeEvents = ["change"];
   /** Whether the program is on the page, to show lines of it. */
   declare linked: boolean;
   /** Whether the controls are looked at: nothing is planned for them before. */
   private open = false;
 
   override render(): TemplateResult {
-    const { plan, stale, ofJob: findings, post } = this.store;
+    const { plan, stale, jobFindings: findings, post } = this.store;
     const always = this.store.ofControl;
     const sorted = LEVELS.flatMap((level) =>
       findings.filter((f) => f.level === level),

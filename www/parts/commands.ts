@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { catalog, type FieldEntry } from "../core/browser.js";
 import { found, hasWord, LENGTHS, textOf, wordsIn } from "../search.js";
 import { w } from "../words.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** Something that can be done or gone to. */
 interface Command {
@@ -36,8 +36,8 @@ const NATIVE =
 const MOST = 40;
 
 /** One list to find everything by typing: cycles, fields, controls, tools, actions. */
-class CommandsPart extends Part {
-  protected override follows: string[] = [];
+class CommandsPart extends StorePart {
+  protected override storeEvents: string[] = [];
   /** What the page can do besides: what is asked for, and its name. */
   declare actions: [what: string, name: string][];
   private query = "";

@@ -1,4 +1,4 @@
-import { type Job, type Said, svg } from "../core/browser.js";
+import { type Job, type Message, svg } from "../core/browser.js";
 import { toFragment } from "../share.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
@@ -16,7 +16,7 @@ export interface Saving {
 /** What the page does with what is handed out. */
 interface Page {
   /** Says something of the job as it is now. */
-  tell(said: Said): void;
+  tell(said: Message): void;
   /** Shows a link, to be taken by hand. */
   show(link: string): void;
   /** Says where the program is seen that it was saved, and whether another one of this name was saved before. */

@@ -5,11 +5,11 @@ import { sizesInWords } from "../sentences.js";
 import type { Draft, Store } from "../store.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** Small drawing of a cycle. */
-class MiniPart extends Part {
-  protected override follows: string[] = [];
+class MiniPart extends StorePart {
+  protected override storeEvents: string[] = [];
   declare type: CycleEntry["type"];
   private drawing?: Drawing;
   private drawn = "";

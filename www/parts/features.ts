@@ -4,7 +4,7 @@ import type { Plan } from "../core/browser.js";
 import type { Related } from "../features.js";
 import { readNumber } from "../number.js";
 import { w } from "../words.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** What each axis of the datum is called in its sentence. */
 const AXES = { x: "X", y: "Y", z: "Z", rotation: w("rotation") } as const;
@@ -16,8 +16,8 @@ interface Operands {
 }
 
 /** Below the list: the button that adds a feature, the relations, and the sources of the written datum. */
-class FeaturesPart extends Part {
-  protected override follows = ["change"];
+class FeaturesPart extends StorePart {
+  protected override storeEvents = ["change"];
 
   override render(): TemplateResult {
     const { several } = this.store.features;

@@ -3,7 +3,7 @@ import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
 import { head } from "../features.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** A field and the path of its value in the job. */
 export interface Placed {
@@ -38,8 +38,8 @@ function headed(choices: Choice[]): [string, Choice[]][] {
 const SIZES = /^(diameter|width\d?|distance|difference|mean)$/;
 
 /** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
-export abstract class FieldPart extends Part {
-  protected override follows = ["change"];
+export abstract class FieldPart extends StorePart {
+  protected override storeEvents = ["change"];
 
   /** A field's value as text, with its unit in the box. */
   protected number(
@@ -49,7 +49,7 @@ export abstract class FieldPart extends Part {
     proposed: string[] = [],
   ): TemplateResult {
     const value = this.store.get(path);
-    const stand = this.store.standIn(field);
+    const stand = this.store.defaultValue(field);
     const index = /\[(\d)\]$/.exec(path)?.[1];
     const missing =
       Array.isArray(stand) && index

@@ -1,10 +1,10 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { Finding, Said } from "../core/browser.js";
+import type { Finding, Message } from "../core/browser.js";
 import { clockOf, runInWords } from "../sentences.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { STYLUS_UNKNOWN } from "./bar.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 import { replaced, saveButton } from "./save.js";
 
 export const LEVELS = ["error", "warning", "info"] as const;
@@ -56,14 +56,14 @@ export function nominal(store: Store): TemplateResult {
 }
 
 /** State of the job: ready to save, or the most severe finding, and a summary of the run. One line in the footer, several lines above the results. */
-class FindingsPart extends Part {
-  protected override follows = ["change"];
+class FindingsPart extends StorePart {
+  protected override storeEvents = ["change"];
   /** What is shown of the job: there is no way to what is not. */
   declare panels: string[];
   /** Whether the page is Touchpath's own: a host receives every job. */
   alone = true;
   /** What was just done with the job as it is now. */
-  declare said: Said | null;
+  declare said: Message | null;
   /** Whether the program is saved here. */
   declare saves: boolean;
   /** Whether it is shown above the results, with several lines. */
@@ -84,7 +84,7 @@ class FindingsPart extends Part {
     // Findings that hold for the control are shown at its name.
     const { stale } = this.store;
     // The bar marks an unknown probe with a dot.
-    const findings = this.store.ofJob.filter(
+    const findings = this.store.jobFindings.filter(
       ({ code }) => code !== STYLUS_UNKNOWN,
     );
     const of = (level: Finding["level"]) =>
@@ -164,12 +164,12 @@ class FindingsPart extends Part {
 }
 
 /** How many errors, or else warnings, the Checks hold: beside their name. */
-class BadgePart extends Part {
-  protected override follows = ["change"];
+class BadgePart extends StorePart {
+  protected override storeEvents = ["change"];
 
   override render(): TemplateResult | typeof nothing {
     const count = (level: Finding["level"]) =>
-      this.store.ofJob.filter((f) => f.level === level).length;
+      this.store.jobFindings.filter((f) => f.level === level).length;
     const level = (["error", "warning"] as const).find(
       (level) => count(level) > 0,
     );

@@ -200,7 +200,7 @@ export abstract class FormRows extends FieldPart {
 
   /** A rate to start from where one was not wanted before. */
   protected rate(field: FieldEntry): number {
-    const stand = this.store.begins(field);
+    const stand = this.store.initialValue(field);
     return typeof stand === "number"
       ? stand
       : this.store.units === "inch"

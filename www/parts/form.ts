@@ -462,7 +462,7 @@ class FormPart extends FormRows {
       const value =
         this.store.typed.get(path) ??
         this.store.get(path) ??
-        (field.null ? null : this.store.standIn(field));
+        (field.null ? null : this.store.defaultValue(field));
       if (value === undefined || value === "" || field.kind === "flag")
         return value === true ? [field.label] : [];
       if (value === null)
@@ -489,7 +489,7 @@ class FormPart extends FormRows {
     if (section.path === "stock") return this.stock();
     const values = () =>
       Object.fromEntries(
-        section.fields.map((f) => [f.key, this.store.begins(f) ?? null]),
+        section.fields.map((f) => [f.key, this.store.initialValue(f) ?? null]),
       );
     return this.use(section.path, this.t("Use it"), values);
   }

@@ -4,7 +4,7 @@ import { found, LENGTHS, textOf } from "../search.js";
 import type { SetUpEntry } from "../set-ups.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** The groups by what is probed, and the word in a cycle's name that says it; the last takes what no other does. */
 const GROUPS: [string, string][] = [
@@ -34,8 +34,8 @@ function groupOf(cycle: CycleEntry): string {
 const COUNTS = new Map<string, number>();
 
 /** What can be measured: every cycle with a sentence and a small drawing of its default job, made by the same code as the large picture. */
-class GalleryPart extends Part {
-  protected override follows = ["change"];
+class GalleryPart extends StorePart {
+  protected override storeEvents = ["change"];
   /** Whether a click adds a feature instead of replacing the cycle. */
   declare adds: boolean;
 

@@ -2,11 +2,11 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry } from "../core/browser.js";
 import { isMetric } from "../entries.js";
 import { remedy } from "./findings.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** The box at the foot of the form, of a fixed height: what the field in focus is, and what is wrong with it. */
-class HelpPart extends Part {
-  protected override follows = ["change", "focus"];
+class HelpPart extends StorePart {
+  protected override storeEvents = ["change", "focus"];
 
   override render(): TemplateResult {
     const { focused } = this.store;
@@ -18,7 +18,7 @@ class HelpPart extends Part {
     }
     const found = this.store.at(focused);
     const { label, help, code, usual, range } = entry;
-    const stand = this.store.begins(entry);
+    const stand = this.store.initialValue(entry);
     const standing = Array.isArray(stand)
       ? stand[Number(/\[(\d)\]/.exec(focused)?.[1] ?? 0)]
       : stand;

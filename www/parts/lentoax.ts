@@ -45,7 +45,7 @@ interface Question {
 
 /** The second tool: which tool length acts on which axis. */
 class LentoaxPart extends CanvasPart {
-  protected override follows: string[] = [];
+  protected override storeEvents: string[] = [];
   private query: Required<LentoaxQuery> = {
     plane: "G17",
     toolType: 710,

@@ -12,7 +12,7 @@ import { Drawing } from "./drawing.js";
 
 /** A page of the manual, from the catalog and in the language of the page: of a cycle, or of a control. */
 class ManualPart extends CanvasPart {
-  protected override follows = ["change"];
+  protected override storeEvents = ["change"];
   /** What it is about: `cycle:hole`, `control:haas`. */
   declare topic: string;
   private drawn = "";

@@ -19,11 +19,11 @@ import {
 import { moveInWords } from "../sentences.js";
 import { w } from "../words.js";
 import { copied, copy, download } from "./download.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** Measured values, tolerances and the inspection report. */
-class MeasuredPart extends Part {
-  protected override follows = ["change"];
+class MeasuredPart extends StorePart {
+  protected override storeEvents = ["change"];
   /** What makes reports, and takes a series apart: fetched when something was measured. */
   private readonly reports = new Reports(() => this.requestUpdate());
   /** Whether the moves are listed: no list is made before. */

@@ -1,18 +1,18 @@
 import { LitElement, type PropertyValues } from "lit";
-import type { Finding, Said } from "../core/browser.js";
+import type { Finding, Message } from "../core/browser.js";
 import type { Store } from "../store.js";
 
 /** A part of the page: draws itself from the store whenever the store says so. Parts share the styles around them. */
-export abstract class Part extends LitElement {
+export abstract class StorePart extends LitElement {
   store!: Store;
   /** Which of the store's events this part follows. */
-  protected follows: string[] = ["change", "highlight"];
+  protected storeEvents: string[] = ["change", "highlight"];
 
   /** Whether it lights up what belongs to the move that is pointed at, without being drawn again. */
   protected lights = false;
 
   /** A text in the language of the page. */
-  protected t(template: string, ...values: (string | number | Said)[]): string {
+  protected t(template: string, ...values: (string | number | Message)[]): string {
     return this.store.t(template, ...values);
   }
 
@@ -23,11 +23,11 @@ export abstract class Part extends LitElement {
 
   private readonly redraw = () => this.requestUpdate();
   private readonly relight = () => {
-    if (this.closest("[hidden]")) this.behind = true;
+    if (this.closest("[hidden]")) this.isOutdated = true;
     else this.light();
   };
   /** Whether something changed while the part was not seen. */
-  private behind = false;
+  private isOutdated = false;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -35,8 +35,8 @@ export abstract class Part extends LitElement {
 
   /** A part that is not seen does nothing until it is. */
   protected override shouldUpdate(): boolean {
-    this.behind = this.hasUpdated && this.closest("[hidden]") !== null;
-    return !this.behind;
+    this.isOutdated = this.hasUpdated && this.closest("[hidden]") !== null;
+    return !this.isOutdated;
   }
 
   /** Lights up what belongs to the move that is pointed at. */
@@ -48,12 +48,12 @@ export abstract class Part extends LitElement {
 
   /** The part is seen again. */
   catchUp(): void {
-    if (this.behind) this.requestUpdate();
+    if (this.isOutdated) this.requestUpdate();
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    for (const name of [...this.follows, "language"])
+    for (const name of [...this.storeEvents, "language"])
       this.store.addEventListener(name, this.redraw);
     if (this.lights) this.store.addEventListener("highlight", this.relight);
     // While it was out of the page, nothing told it of changes.
@@ -62,7 +62,7 @@ export abstract class Part extends LitElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    for (const name of [...this.follows, "language"])
+    for (const name of [...this.storeEvents, "language"])
       this.store.removeEventListener(name, this.redraw);
     this.store.removeEventListener("highlight", this.relight);
   }

@@ -1,9 +1,9 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** A text that is pasted in: it stays where it is until it could be read, and what is wrong with it is said beside it. */
-class PastePart extends Part {
-  protected override follows: string[] = [];
+class PastePart extends StorePart {
+  protected override storeEvents: string[] = [];
   /** Takes a text up; false where nothing could be made of it. */
   declare take: (text: string) => Promise<boolean>;
   /** Gives up what is being read. */

@@ -35,7 +35,7 @@ const MOST_TURNED = 20;
 
 /** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
-  protected override follows = ["change", "focus"];
+  protected override storeEvents = ["change", "focus"];
   protected override lights = true;
   /** The form in the picture, by its revision and language; a hover draws it again but does not plan it again. */
   private drawn = "";

@@ -11,7 +11,7 @@ import {
 } from "../presets.js";
 import { w } from "../words.js";
 import { download } from "./download.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** The parts of a preset that can be taken alone, with their sections. */
 const PARTS: Record<string, [string, string[]]> = {
@@ -21,8 +21,8 @@ const PARTS: Record<string, [string, string[]]> = {
 };
 
 /** Named presets of stylus, feeds and control: kept, used, taken along as a file. */
-class PresetsPart extends Part {
-  protected override follows: string[] = [];
+class PresetsPart extends StorePart {
+  protected override storeEvents: string[] = [];
   private list: Preset[] = presets() ?? [];
   private told = "";
   /** The list before what was done last, where that can be taken back. */

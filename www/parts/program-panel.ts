@@ -12,7 +12,7 @@ import { Colours } from "./colours.js";
 import type { Compared } from "./compare.js";
 import { copied, copy, withheld } from "./download.js";
 import { Finder } from "./finder.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** The forms of a program, as the field of the form has them. */
 const FORMS: Record<Form, string> = {
@@ -109,8 +109,8 @@ function screenText(store: Store): string[] {
 }
 
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
-class ProgramPart extends Part {
-  protected override follows = ["change"];
+class ProgramPart extends StorePart {
+  protected override storeEvents = ["change"];
   protected override lights = true;
   private told = "";
   /** The program that was saved or copied: what is said of it holds for no other. */

@@ -3,7 +3,7 @@ import type { LitElement, ReactiveController } from "lit";
 /** What may take the focus away with it: a click, and Escape. */
 const EVENTS = ["click", "keydown", "pointerdown"] as const;
 /** After as many milliseconds it is looked whether the focus was lost: some of what goes is removed only when the page is drawn, or a part of it is loaded. */
-const LOOKS = [40, 360];
+const RESTORE_DELAYS = [40, 360];
 
 /** Where the button or field that had the focus is removed, the focus moves to one near it, not to the start of the page. */
 export class Refocus implements ReactiveController {
@@ -31,10 +31,10 @@ export class Refocus implements ReactiveController {
       event.type === "click" ||
       (event instanceof KeyboardEvent && event.key === "Escape");
     const at = this.root.activeElement;
-    if (at && acts) this.look(at, at.closest(".group, dialog"), LOOKS);
+    if (at && acts) this.scheduleRestore(at, at.closest(".group, dialog"), RESTORE_DELAYS);
   };
 
-  private look(
+  private scheduleRestore(
     at: Element,
     group: Element | null,
     [ms, ...later]: number[],
@@ -42,7 +42,7 @@ export class Refocus implements ReactiveController {
     if (ms === undefined) return;
     this.timer = window.setTimeout(() => {
       this.restore(at, group);
-      this.look(at, group, later);
+      this.scheduleRestore(at, group, later);
     }, ms);
   }
 

@@ -1,10 +1,10 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { ResultRow, Said } from "../core/browser.js";
+import type { ResultRow, Message } from "../core/browser.js";
 import { isBad, isWritten } from "../core/results.js";
 import { evaluated, number, places, Reports, shown } from "../measured.js";
 import { ofRunout, resultInWords } from "../sentences.js";
 import { w } from "../words.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** The middle of an uneven tolerance of 1411, whose deviations are from there; null of any other result. */
 function middleOf({ code, limits, nominal }: ResultRow): number | null {
@@ -14,8 +14,8 @@ function middleOf({ code, limits, nominal }: ResultRow): number | null {
 }
 
 /** What the control will have measured on the virtual part, and the same from what a machine measured. */
-class ResultsPart extends Part {
-  protected override follows = ["change"];
+class ResultsPart extends StorePart {
+  protected override storeEvents = ["change"];
   /** What makes reports, and takes a series apart: fetched when something was measured. */
   private readonly reports = new Reports(() => this.requestUpdate());
 
@@ -30,7 +30,7 @@ class ResultsPart extends Part {
           ]),
         )
       : null;
-    const stored = this.store.bare
+    const stored = this.store.computesNothing
       ? w("What the touches will give")
       : w("Results the control will store");
     const caption = rows
@@ -67,7 +67,7 @@ class ResultsPart extends Part {
       this.number(low, digits),
       this.number(high, digits),
     ] as const;
-    const verdict: Said = said.verdict ?? ["–"];
+    const verdict: Message = said.verdict ?? ["–"];
     const says = this.t(
       "{value}, limits {min} and {max}: {verdict}",
       this.number(value, digits),

@@ -4,7 +4,7 @@ import { isWritten } from "../core/results.js";
 import { deviations, ofRunout, resultInWords } from "../sentences.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** What a program says before its blocks, from the units on: what must be so before the start, and what it does. */
 function conditions(text: string): string[] {
@@ -50,8 +50,8 @@ const MANY_RESULTS = 12;
 const MANY_TOUCHES = 8;
 
 /** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
-class SheetPart extends Part {
-  protected override follows = ["change"];
+class SheetPart extends StorePart {
+  protected override storeEvents = ["change"];
   /** The pictures: from the top, and from the front with every height. */
   private readonly drawings = new Map<(typeof SEEN)[number], Drawing>();
   /** What was drawn on, and the form that was drawn. */
@@ -140,7 +140,7 @@ class SheetPart extends Part {
     sigmas: (x: number | null) => string,
   ): TemplateResult[] {
     const { plan } = this.store;
-    const computes = !this.store.bare;
+    const computes = !this.store.computesNothing;
     const table = (caption: string, rows: ResultRow[], first: boolean) =>
       html`<table>
               <caption>${caption}</caption>
@@ -229,7 +229,7 @@ class SheetPart extends Part {
     form: Record<string, unknown>,
   ): TemplateResult | typeof nothing {
     const value =
-      held === undefined ? this.store.standIn(field) : (held ?? field.null);
+      held === undefined ? this.store.defaultValue(field) : (held ?? field.null);
     const { when } = field;
     const idle =
       field.group.startsWith("Postprocessor") ||

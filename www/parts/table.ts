@@ -6,13 +6,13 @@ import {
   meanings,
   type ParameterRow,
   type Plan,
-  type Said,
+  type Message,
   type TouchPoint,
 } from "../core/browser.js";
 import { alike } from "../job.js";
 import { w } from "../words.js";
 import { copied, copy, download, withheld } from "./download.js";
-import { Part } from "./part.js";
+import { StorePart } from "./part.js";
 
 /** Rows that have no code of a table: those of a native cycle. */
 const OTHERS = w("Cycle");
@@ -27,14 +27,14 @@ function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
 }
 
 /** The parameter table of the source, by groups. Rows of a touch light up with it. */
-class TablePart extends Part {
-  protected override follows = ["change"];
+class TablePart extends StorePart {
+  protected override storeEvents = ["change"];
   protected override lights = true;
   private told = "";
   /** The plan that was saved or copied: what is said of it holds for no other. */
   private toldOf?: Plan;
   /** What the rows mean, for another language than English. */
-  private said = new Map<ParameterRow, Said>();
+  private said = new Map<ParameterRow, Message>();
   private filter = "";
   private readonly closed = new Set<string>();
 

@@ -1,6 +1,6 @@
 // What takes the place of the job on the page: loaded when it is asked for, and left by the browser's Back.
 import type { LitElement } from "lit";
-import { awaited, type Said, whole } from "../core/browser.js";
+import { awaited, type Message, whole } from "../core/browser.js";
 import { isObject } from "../job.js";
 import { w } from "../words.js";
 
@@ -14,7 +14,7 @@ export type Tool =
   | "sheet";
 
 /** What is loaded when the job is on the screen, or when it is asked for before. */
-const LATER: Record<string, () => Promise<unknown>> = {
+const LAZY_PARTS: Record<string, () => Promise<unknown>> = {
   gallery: () => import("./gallery.js"),
   commands: () => import("./commands.js"),
   manual: () => import("./manual.js"),
@@ -29,8 +29,8 @@ const WHOLE = new Set(["lengths", "viewer"]);
 
 /** Milliseconds after which the user sees that something is being loaded. */
 const SOON = 300;
-const LOADING: Said = [w("This part of the page is being loaded …")];
-export const MISSING: Said = [
+const LOADING: Message = [w("This part of the page is being loaded …")];
+export const MISSING: Message = [
   w("This part of the page could not be loaded: is there a network?"),
 ];
 
@@ -38,9 +38,9 @@ export const MISSING: Said = [
 interface Around {
   /** Whether the page is Touchpath's own: then what is shown is an entry of the browser's history. */
   links: boolean;
-  tell(text: Said | null): void;
+  tell(text: Message | null): void;
   /** What is being told. */
-  said(): Said | null;
+  said(): Message | null;
 }
 
 /** Which of them is shown, and which are loaded. */
@@ -58,7 +58,7 @@ export class Tools {
   preload(): void {
     const later = () => {
       if (this.app.isConnected)
-        for (const load of Object.values(LATER)) load().catch(() => undefined);
+        for (const load of Object.values(LAZY_PARTS)) load().catch(() => undefined);
     };
     // Not while the module is still to come: they would share its line.
     const there = awaited() ?? Promise.resolve();
@@ -128,7 +128,7 @@ export class Tools {
   async loads(what: string): Promise<boolean> {
     try {
       await Promise.all([
-        LATER[what]?.(),
+        LAZY_PARTS[what]?.(),
         WHOLE.has(what) ? this.whole() : null,
       ]);
       this.there.add(what);

@@ -5,7 +5,7 @@ import type {
   PageView,
   ProgramKnown,
   ProgramMoves,
-  Said,
+  Message,
 } from "../core/browser.js";
 import { keepKnown, knownOf } from "../known.js";
 import { type Ran, runText } from "../run-text.js";
@@ -39,7 +39,7 @@ class ViewerPart extends DrawnPart {
     why: Finding[];
     name: string | null;
   };
-  protected override follows: string[] = [];
+  protected override storeEvents: string[] = [];
   private drawn?: object;
   private pointed: number | null = null;
   private grip: { x: number; y: number } | null = null;
@@ -391,7 +391,7 @@ class ViewerPart extends DrawnPart {
   private says(): string {
     const { kind, kinds, units } = this.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
-    const said: Said[] = [units ? [units] : [w("units not said")]];
+    const said: Message[] = [units ? [units] : [w("units not said")]];
     return this.t(
       "{count} moves, {probing} of them probing; {units}; read as {dialect}",
       kind.length,
@@ -408,7 +408,7 @@ class ViewerPart extends DrawnPart {
       return Number.isNaN(x) ? [] : [`${axis}${Number(x.toFixed(4))}`];
     });
     const rate = feed[index] as number;
-    const what: Said = [
+    const what: Message = [
       KINDS[kinds[kind[index] as number] as keyof typeof KINDS],
     ];
     const row = (line[index] as number) + 1;

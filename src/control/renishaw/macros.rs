@@ -334,9 +334,9 @@ mod tests {
             rows,
             [
                 "Search 42 5 -4 at 37 5 -4",
-                "Back 35.4 5 -4",
+                "Retract 35.4 5 -4",
                 "Measure 42 5 -4 at 37 5 -4",
-                "Back 30 5 -4",
+                "Retract 30 5 -4",
             ]
         );
         assert_eq!(
@@ -383,17 +383,17 @@ mod tests {
                 "Watched 2 -22 12",
                 "Watched 2 -22 -5",
                 "Search 2 -14 -5 at 2 -18 -5",
-                "Back 2 -19.6 -5",
+                "Retract 2 -19.6 -5",
                 "Measure 2 -14 -5 at 2 -18 -5",
-                "Back 2 -22 -5",
+                "Retract 2 -22 -5",
                 "Rapid 2 -22 12",
                 "Rapid 2 0 12",
                 "Watched 2 22 12",
                 "Watched 2 22 -5",
                 "Search 2 14 -5 at 2 18 -5",
-                "Back 2 19.6 -5",
+                "Retract 2 19.6 -5",
                 "Measure 2 14 -5 at 2 18 -5",
-                "Back 2 22 -5",
+                "Retract 2 22 -5",
                 "Rapid 2 22 12",
                 "Rapid 2 0 12",
             ]
@@ -474,7 +474,7 @@ mod tests {
         );
         let own: Vec<&str> = rows
             .iter()
-            .filter(|row| !row.starts_with("Back") && !row.starts_with("Measure"))
+            .filter(|row| !row.starts_with("Retract") && !row.starts_with("Measure"))
             .map(|row| row.split(" at").next().unwrap())
             .collect();
         assert_eq!(
