@@ -9,8 +9,8 @@ import {
   type Message,
   type Words,
 } from "./core/browser.js";
+import { byCode, type SetUpState } from "./cycle-list.js";
 import type { Units } from "./entries.js";
-import { byCode, type SetUpState } from "./features.js";
 import { LockedFields } from "./fixed.js";
 import { History } from "./history.js";
 import { alike, complete, type Draft, dropAt, isObject, putAt } from "./job.js";
@@ -175,7 +175,8 @@ export abstract class Document extends Output {
 
   /** Whether a new value of the field at this path may change the size limit: the value or a size before it has a tolerance, and nobody entered a limit. */
   private changesLimit(path: string, value: unknown): boolean {
-    if (this.editedPaths === null || this.editedPaths.has(SIZE_LIMIT)) return false;
+    if (this.editedPaths === null || this.editedPaths.has(SIZE_LIMIT))
+      return false;
     if (!path.startsWith("cycle.") || !this.fieldAt(path)?.size) return false;
     const usual = this.usualSizeLimit();
     if (!alike(this.get(SIZE_LIMIT), usual)) return false;
@@ -308,7 +309,7 @@ export abstract class Document extends Output {
   /** Ends the current undo step. */
   settle(): void {
     this.history.settle();
-    this.dispatchEvent(new Event("settled"));
+    this.dispatchEvent(new Event("edit-committed"));
   }
 
   get canUndo(): boolean {
@@ -367,7 +368,7 @@ export abstract class Document extends Output {
 
   /** Reports a side effect of a change to the user. */
   protected announce(said: Message): void {
-    this.dispatchEvent(new CustomEvent("told", { detail: said }));
+    this.dispatchEvent(new CustomEvent("announcement", { detail: said }));
   }
 
   /** Changes the language of the page. Does not change the job. */
@@ -389,7 +390,7 @@ export abstract class Document extends Output {
     this.followLimit();
     this.keep();
     this.dispatchEvent(new Event("change"));
-    if (this.history.settled) this.dispatchEvent(new Event("settled"));
+    if (this.history.settled) this.dispatchEvent(new Event("edit-committed"));
   }
 
   /** Updates the program name, unless the user has typed one. */

@@ -131,7 +131,10 @@ export class HostInputs {
     const job = structuredClone(
       defaultJob(type, units ?? this.rules.units(this.store.units)),
     ) as unknown as Draft;
-    const named = this.named(post ? withoutControl(job) : job, this.asked) as Draft;
+    const named = this.named(
+      post ? withoutControl(job) : job,
+      this.asked,
+    ) as Draft;
     return this.rules.laid(named, post !== undefined);
   }
 

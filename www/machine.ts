@@ -30,7 +30,8 @@ export abstract class Machine extends Document {
     if (old.workOffset === null && this.controlWithOffset)
       return this.offsetOn(post, this.controlWithOffset);
     const offset = this.offsetOn(post, old);
-    if (offset === null && old.workOffset !== null) this.controlWithOffset = old;
+    if (offset === null && old.workOffset !== null)
+      this.controlWithOffset = old;
     return offset;
   }
 

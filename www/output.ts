@@ -4,16 +4,16 @@ import {
   type Finding,
   type Job,
   JobError,
+  type Message,
   misfit,
   type Plan,
   plan,
-  type Message,
 } from "./core/browser.js";
 import { LEVELS } from "./core/layout.js";
 import { programStem, stem } from "./core/names.js";
 import { codeOf } from "./core/results.js";
+import { CycleList } from "./cycle-list.js";
 import { CatalogView } from "./entries.js";
-import { CycleList } from "./features.js";
 import type { HostInputs } from "./host-inputs.js";
 import type { Draft } from "./job.js";
 import { keepFiles } from "./persistence.js";

@@ -23,7 +23,7 @@ page.addEventListener("language", (event) => {
   document.documentElement.lang = wanted(event);
   keep(wanted(event));
 });
-page.addEventListener("wanted", (event) => keep(wanted(event)));
+page.addEventListener("load-editor", (event) => keep(wanted(event)));
 
 // Texts that are long enough to hold up the page are read and run in a worker.
 page.addEventListener("beside", (event) => {

@@ -4,7 +4,7 @@ import {
   proposedStock,
   type ResultTolerance,
 } from "./core/browser.js";
-import type { CycleList } from "./features.js";
+import type { CycleList } from "./cycle-list.js";
 import { alike, type Draft, isObject, putAt } from "./job.js";
 import { Machine } from "./machine.js";
 import { placedBeside } from "./place-feature.js";

@@ -1,6 +1,6 @@
 // The plan of the page in words: a move, the run, a result, and how the virtual part lies.
 import { PROGRAM_POST_TITLES } from "./core/program-posts.js";
-import type { Plan, ProgramMoves, ResultRow, Message } from "./core/types.js";
+import type { Message, Plan, ProgramMoves, ResultRow } from "./core/types.js";
 import type { Draft, Store } from "./store.js";
 import { w } from "./words.js";
 
@@ -35,7 +35,10 @@ function parts(
 ): { what: Message; place: string } {
   const what: Message = {
     position: [feed === "longLink" ? w("link") : w("positioning")] as Message,
-    touch: [w("touch {touch}"), String(store.touchNumber(touch ?? 0))] as Message,
+    touch: [
+      w("touch {touch}"),
+      String(store.touchNumber(touch ?? 0)),
+    ] as Message,
     back: [w("back")] as Message,
   }[kind];
   const place = ["X", "Y", "Z"].map(

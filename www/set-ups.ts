@@ -161,7 +161,11 @@ function suitable(present: CatalogView, entry: SetUpEntry): Draft | undefined {
 }
 
 /** A set-up with the machine, feeds and units of the job in the form. */
-function jobOf(present: CatalogView, { key, job, writes }: SetUpEntry, form: Form) {
+function jobOf(
+  present: CatalogView,
+  { key, job, writes }: SetUpEntry,
+  form: Form,
+) {
   const { cycle: _, part, tolerances: __, ...rest } = present.draft;
   const mm = { format: 2, units: "mm", part: {}, ...job } as unknown as Job;
   const { limits, ...whole } = convertUnits(

@@ -6,10 +6,16 @@ import {
   jobName,
   type Message,
 } from "./core/browser.js";
-import { type SavedCycle, noPoints, type Points } from "./document.js";
-import { CycleList, type SetUpState } from "./features.js";
+import { CycleList, type SetUpState } from "./cycle-list.js";
+import { noPoints, type Points, type SavedCycle } from "./document.js";
 import { HostInputs } from "./host-inputs.js";
-import { complete, type Draft, isObject, convertCycleParts, putAt } from "./job.js";
+import {
+  complete,
+  convertCycleParts,
+  type Draft,
+  isObject,
+  putAt,
+} from "./job.js";
 import { PartEditor } from "./part-editor.js";
 import { keepCam, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { w } from "./words.js";
@@ -211,7 +217,7 @@ export class Store extends PartEditor {
   }
 
   protected showCam(): void {
-    this.dispatchEvent(new Event("cam"));
+    this.dispatchEvent(new Event("cam-mode"));
     this.asHost(() => this.dispatchEvent(new Event("change")));
   }
 

@@ -27,7 +27,7 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   assert.ok(await saveButton().isEnabled());
   assert.equal(await program(), nominal);
   assert.match(
-    await textOf(page.locator(".scrub output")),
+    await textOf(page.locator(".timeline output")),
     /The run ends in the part/,
   );
   await panel("results", page);
@@ -80,8 +80,8 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
     .getByRole("button", { name: "Back to nominal" })
     .click();
   assert.equal(await field("part.offset[0]").inputValue(), "0");
-  await page.locator(".trial").waitFor({ state: "detached" });
-  assert.equal(await page.locator(".trial").count(), 0);
+  await page.locator(".part-note").waitFor({ state: "detached" });
+  assert.equal(await page.locator(".part-note").count(), 0);
 });
 
 test("a form that has no path keeps the picture of the last valid plan, also after one that had a collision", async () => {
@@ -91,9 +91,9 @@ test("a form that has no path keeps the picture of the last valid plan, also aft
   await field("part.offset[0]").fill("60");
   await page.locator(".verdict", { hasText: "hits the part" }).waitFor();
   await field("part.offset[0]").fill("x");
-  await page.locator(".stamp", { hasText: "last valid plan" }).waitFor();
+  await page.locator(".banner", { hasText: "last valid plan" }).waitFor();
   assert.match(await program(), /G38\.2 X42/);
   await put("part.offset[0]", 0);
-  assert.equal(await page.locator(".stamp").count(), 0);
+  assert.equal(await page.locator(".banner").count(), 0);
   assert.deepEqual((await pixels()).count, good.count);
 });

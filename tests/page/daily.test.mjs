@@ -181,7 +181,7 @@ test("a screen reader hears the line that the arrow keys light", async () => {
 test("the parameters of a touch are brought into sight", async () => {
   await page.getByRole("tab", { name: "Parameters" }).click();
   for (const _ of [1, 2, 3])
-    await page.locator("#scrub").press("Control+ArrowRight");
+    await page.locator("#timeline").press("Control+ArrowRight");
   const row = page.locator("tp-table tr.lit").first();
   const [seen, box] = [
     await boxOf(row),
@@ -216,7 +216,7 @@ test("the legend names the lines that are there, and a cycle without motion has 
   assert.deepEqual(
     [
       await page.locator(".key li").count(),
-      await page.locator(".scrub").count(),
+      await page.locator(".timeline").count(),
     ],
     [0, 0],
   );
@@ -345,7 +345,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
             one.checkVisibility() && one.getClientRects().length > 0;
           const small = [
             ...root.querySelectorAll(
-              "button, select, input:not(.unseen, [type=radio], [type=checkbox])",
+              "button, select, input:not(.visually-hidden, [type=radio], [type=checkbox])",
             ),
           ].filter((one) => {
             if (!seen(one) || one.matches(".quiet, td button, p button"))
@@ -360,7 +360,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
           ].filter(
             (one) =>
               seen(one) &&
-              !one.closest(".unseen, .key, .clock") &&
+              !one.closest(".visually-hidden, .key, .clock") &&
               one.textContent?.trim() &&
               Number.parseFloat(getComputedStyle(one).fontSize) < 13,
           );

@@ -45,7 +45,7 @@ test("a job that sets rotation and preset was said to measure only, in the bar a
   );
   await field("cycle.confirmRotation").selectOption("1");
   assert.equal(
-    await textOf(page.locator("tp-program .does")),
+    await textOf(page.locator("tp-program .write-summary")),
     `This program ${SENTENCE}`,
   );
   assert.match(
@@ -137,7 +137,7 @@ test("another program of the same name took the place of the first without a wor
   const note = page.locator("tp-findings .note");
   assert.equal(await save(), "POCKET-80X50.ngc");
   assert.equal(
-    await textOf(page.locator("tp-program .told:not(.found)")),
+    await textOf(page.locator("tp-program .status-text:not(.found)")),
     "Saved POCKET-80X50.ngc",
   );
   assert.equal(await note.count(), 0);
@@ -151,7 +151,7 @@ test("another program of the same name took the place of the first without a wor
   );
   await save();
   assert.match(
-    await textOf(page.locator("tp-program .told:not(.found)")),
+    await textOf(page.locator("tp-program .status-text:not(.found)")),
     /with other content than the one saved before$/,
   );
   assert.equal(await note.count(), 0);

@@ -121,7 +121,7 @@ test("a line lights up its move in the other panels, and a dimension leads to it
       .querySelector("touch-picture")
       ?.shadowRoot?.querySelector(name);
     picture?.dispatchEvent(
-      new CustomEvent("go", { detail: "cycle.width2", bubbles: true }),
+      new CustomEvent("go-to-field", { detail: "cycle.width2", bubbles: true }),
     );
   }, inner("picture"));
   await settles(

@@ -135,7 +135,7 @@ test("a touch at F3000 and a part turned by 20° are seen without opening anythi
   await put("part.rotation", 20);
   assert.ok(await page.locator("tp-findings .verdict.warning").isVisible());
   assert.ok(
-    await page.locator(".trial", { hasText: "turned 20°" }).isVisible(),
+    await page.locator(".part-note", { hasText: "turned 20°" }).isVisible(),
   );
   const folded = (/** @type {string} */ name) =>
     page.locator("tp-form .fold", { hasText: name });
@@ -322,14 +322,14 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
 });
 
 test("the timeline: play, pause, touch by touch, and the move in words with its place", async () => {
-  const said = () => textOf(page.locator(".scrub output"));
-  await page.locator("#scrub").press("Control+ArrowRight");
+  const said = () => textOf(page.locator(".timeline output"));
+  await page.locator("#timeline").press("Control+ArrowRight");
   assert.match(await said(), /^touch 1 · contact X37 Y0 Z-10 · F150$/);
-  await page.locator("#scrub").press("Control+ArrowRight");
+  await page.locator("#timeline").press("Control+ArrowRight");
   assert.match(await said(), /touch 2/);
-  await page.locator("#scrub").press("Control+ArrowLeft");
+  await page.locator("#timeline").press("Control+ArrowLeft");
   assert.match(await said(), /touch 1/);
-  await page.locator("#scrub").focus();
+  await page.locator("#timeline").focus();
   await page.keyboard.press("Control+ArrowRight");
   assert.match(await said(), /touch 2/);
   await page.keyboard.press("Space");

@@ -86,7 +86,7 @@ test("results of the form before an error say so", async () => {
 
 /** How much is shown of a plan: moves of the timeline, lines of the program, cells of the table and of the results. */
 async function amount() {
-  const counts = [Number(await page.locator("#scrub").getAttribute("max"))];
+  const counts = [Number(await page.locator("#timeline").getAttribute("max"))];
   for (const [tab, what] of /** @type {const} */ ([
     ["Program", "tp-program .line"],
     ["Parameters", "tp-table td"],
@@ -103,7 +103,7 @@ test("a job with errors stood beside picture, program and results of the job bef
     page.evaluate((job) => {
       /** @type {any} */ (document.querySelector("touch-path")).job = job;
     }, job);
-  const stamp = page.locator(".stamp");
+  const stamp = page.locator(".banner");
   assert.ok((await amount()).every((n) => n > 0));
   // Its path can be drawn, though the control has no program for it.
   await give({
@@ -114,7 +114,7 @@ test("a job with errors stood beside picture, program and results of the job bef
   });
   await stamp.filter({ hasText: "No program: The tool length" }).waitFor();
   assert.ok((await pixels()).count > 300);
-  assert.equal(await textOf(page.locator(".scrub output")), "");
+  assert.equal(await textOf(page.locator(".timeline output")), "");
   assert.deepEqual(await amount(), [0, 0, 0, 0]);
   // Nothing can be drawn.
   await give({ format: 1, cycle: { type: "boss", diameter: -5 } });

@@ -179,7 +179,7 @@ for (const [language, locale] of Object.entries({ en: "en-GB", ...LANGUAGES }))
             "main > section",
             "tp-form",
             ".tools button",
-            ".scrub",
+            ".timeline",
             "tp-bar .primary",
           ])
             look(selector, tab.id);

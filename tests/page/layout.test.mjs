@@ -38,12 +38,12 @@ for (const [width, height] of SIZES) {
         document.querySelector("touch-path")?.shadowRoot
       );
       const all = root.querySelectorAll(
-        "tp-bar > *, main > section:not([hidden]), main > .tabs, tp-picture, .picture .tools > *, .scrub > *, footer",
+        "tp-bar > *, main > section:not([hidden]), main > .tabs, tp-picture, .picture .tools > *, .timeline > *, footer",
       );
       return [...all]
         .filter(
           (node) =>
-            !node.closest(".unseen") &&
+            !node.closest(".visually-hidden") &&
             node.getBoundingClientRect().right > innerWidth + 0.5,
         )
         .map((node) => node.outerHTML.slice(0, 80));
@@ -65,7 +65,7 @@ for (const [width, height] of SIZES) {
 test("what always holds for a control is read where there is room, and leads to its page", async () => {
   await open({ viewport: { width: 1440, height: 900 } });
   await field("control.post").selectOption("fanuc");
-  const always = page.locator("tp-findings .always");
+  const always = page.locator("tp-findings .control-notes");
   assert.equal(await textOf(always), "Not yet run on this control.");
   await always.click();
   await page.locator("tp-manual").waitFor();
@@ -273,7 +273,7 @@ for (const locale of ["en-US", "de-DE"])
         const pen = /** @type {CanvasRenderingContext2D} */ (
           document.createElement("canvas").getContext("2d")
         );
-        const over = [".scrub", ".tabs", ".picture", "header"].filter(
+        const over = [".timeline", ".tabs", ".picture", "header"].filter(
           (part) => {
             const box = root.querySelector(part);
             return !box || box.scrollWidth > box.clientWidth;
@@ -295,7 +295,7 @@ for (const locale of ["en-US", "de-DE"])
         return over;
       });
       assert.deepEqual(cut, [], `${width}`);
-      const said = await boxOf(page.locator(".scrub output"));
+      const said = await boxOf(page.locator(".timeline output"));
       assert.ok(said.width > 200, "a move in words");
     }
   });
@@ -530,7 +530,7 @@ for (const width of [768, 844, 900, 1024, 1080, 1280, 1440])
       },
     );
     assert.ok(free > -1, `${free} pixels are left`);
-    const track = await boxOf(page.locator("#scrub"));
+    const track = await boxOf(page.locator("#timeline"));
     assert.ok(track.width >= 120, `${track.width}`);
   });
 
@@ -562,7 +562,7 @@ for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
           const right =
             form.getBoundingClientRect().left + form.clientWidth + 1;
           const boxes = [...form.querySelectorAll(".group *")].filter(
-            (box) => !box.closest(".unseen"),
+            (box) => !box.closest(".visually-hidden"),
           );
           return boxes
             .filter((box) => box.getBoundingClientRect().right > right)
@@ -616,17 +616,17 @@ test("on a phone on its side the views covered the picture, and the timeline had
       tools.width <= canvas.width / 3 && tools.y >= canvas.y,
       `${width}`,
     );
-    await page.locator("#scrub").press("Control+ArrowRight");
+    await page.locator("#timeline").press("Control+ArrowRight");
     assert.match(await textOf(page.locator(".clock")), /^0:0\d \/ 0:32$/);
     const [rail, scrub] = [
       await boxOf(page.locator(".track")),
-      await boxOf(page.locator(".scrub")),
+      await boxOf(page.locator(".timeline")),
     ];
     assert.ok(rail.width >= 64, `${width}: ${rail.width}`);
     assert.ok(rail.height >= 12, "the marks of touches are not cut");
     if (width === 1440)
       assert.ok(rail.width > 0.5 * scrub.width, "the rail has what is left");
-    const said = page.locator(".scrub output");
+    const said = page.locator(".timeline output");
     const cut = await said.evaluate(
       (words) => words.scrollWidth - words.clientWidth,
     );

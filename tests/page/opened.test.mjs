@@ -269,7 +269,7 @@ test("a long program that says no job is read in a worker, too, and one whose wo
     (_, i) => `N${i + 3} G1 X${i % 200} Y${Math.floor(i / 200)} F500`,
   );
   const text = `G21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`;
-  const said = () => textOf(page.locator("tp-viewer .scrub output"));
+  const said = () => textOf(page.locator("tp-viewer .timeline output"));
   await openText(text, "long.nc");
   await settles(async () => /^6001 moves/.test(await said()));
   await page.getByRole("button", { name: "Back to the job" }).click();

@@ -37,7 +37,7 @@ test("a macro's path was shown under steps and feeds that it does not have: it h
     "out beside the boss first",
   );
   await page.mouse.move(0, 0);
-  await page.locator("#scrub").focus();
+  await page.locator("#timeline").focus();
   for (const _ of Array(5)) await page.keyboard.press("ArrowRight");
   assert.equal(
     await page
@@ -48,7 +48,7 @@ test("a macro's path was shown under steps and feeds that it does not have: it h
   const said = await textOf(page.locator("tp-picture output"));
   assert.match(said, /^touch 1 · contact X0 Y-23 Z-10$/, "no feed of the job");
   assert.match(
-    await page.locator("#scrub").getAttribute("aria-valuetext").then(String),
+    await page.locator("#timeline").getAttribute("aria-valuetext").then(String),
     /call 3, touch 1/,
   );
   await panel("results", page);

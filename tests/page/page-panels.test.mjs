@@ -32,7 +32,7 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
   assert.notEqual((await pixels()).sum, plain.sum, "the picture shows it");
   assert.match(
-    (await page.locator(".scrub output").textContent()) ?? "",
+    (await page.locator(".timeline output").textContent()) ?? "",
     /^touch 1 · contact X37 Y0 Z-10 · F150$/,
   );
   // A click keeps it lit; one beside the lines changes nothing.
@@ -45,7 +45,7 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   assert.equal(await page.locator("tp-table tr.lit").count(), 0);
   await page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-112]" }).hover();
   assert.match(
-    (await page.locator(".scrub output").textContent()) ?? "",
+    (await page.locator(".timeline output").textContent()) ?? "",
     /touch 3/,
   );
   assert.equal(
@@ -203,7 +203,8 @@ test("lines that belong to a move stood above the heading of its step", async ()
 test("words are found in the program, in its folded header too, and stay found while it changes", async () => {
   const find = page.getByLabel("Find in the program");
   const here = () => page.locator("tp-program .line.here").textContent();
-  const said = () => page.locator("tp-program .told.found").textContent();
+  const said = () =>
+    page.locator("tp-program .status-text.found").textContent();
   await find.fill("g38.2");
   assert.equal(await page.locator("tp-program .line.match").count(), 4);
   assert.equal(await said(), "1 of 4");
@@ -237,7 +238,7 @@ test("all moves are listed in words, and the list is of the form", async () => {
   await words.first().waitFor();
   assert.equal(
     await words.count(),
-    Number(await page.locator("#scrub").getAttribute("max")),
+    Number(await page.locator("#timeline").getAttribute("max")),
   );
   const touch = words.filter({ hasText: "touch 1, work" });
   assert.match(

@@ -258,11 +258,11 @@ test("every cycle has a plan on the page, and its steps light up with the move",
       heads.length > 1 && heads.every((text) => steps.includes(text)),
       type,
     );
-    const moves = Number(await page.locator("#scrub").getAttribute("max"));
+    const moves = Number(await page.locator("#timeline").getAttribute("max"));
     for (const move of [1, moves]) {
-      await page.locator("#scrub").fill(String(move));
+      await page.locator("#timeline").fill(String(move));
       const said =
-        (await page.locator("#scrub").getAttribute("aria-valuetext")) ?? "";
+        (await page.locator("#timeline").getAttribute("aria-valuetext")) ?? "";
       const step = Number(/step (\d+)/.exec(said)?.[1]);
       const lit = await page
         .locator("tp-program .step.lit span")

@@ -240,7 +240,7 @@ test("what is pointed at is drawn over the picture, and the picture beneath stay
   };
   const [picture, over] = /** @type {[any, any]} */ (await drawn());
   assert.ok(picture.any && !over.any, "nothing is lit");
-  await page.locator("#scrub").focus();
+  await page.locator("#timeline").focus();
   await page.keyboard.press("Control+ArrowRight");
   const [same, lit] = /** @type {[any, any]} */ (await drawn());
   assert.equal(same.sum, picture.sum);
@@ -442,7 +442,7 @@ test("in front of 1411 the names of its diameters lay on each other on a phone: 
 
 test("the lit touch struck out its own number: the search past the contact is not lit, and the number lies above", async () => {
   await open({ viewport: { width: 1700, height: 900 } });
-  await page.locator("#scrub").press("Control+ArrowRight");
+  await page.locator("#timeline").press("Control+ArrowRight");
   await framed();
   const { width1, width2 } = Object.fromEntries(
     Object.entries(await dimensionLines()).map(([path, ends]) => [

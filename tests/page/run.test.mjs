@@ -289,11 +289,11 @@ test("a part that lies off could not be put into the picture: by hand, and the p
     ["hand-off-0", "2"],
   ])
     await enter(/** @type {string} */ (id), /** @type {string} */ (text));
-  const slider = page.locator("tp-viewer .scrub input");
+  const slider = page.locator("tp-viewer .timeline input");
   await slider.focus();
   await slider.press("End");
   assert.match(
-    await textOf(page.locator("tp-viewer .scrub output")),
+    await textOf(page.locator("tp-viewer .timeline output")),
     /Line 5: .* Y19 Z-5/,
   );
   await settles(async () => (await painted("tp-viewer", "actual")).count > 0);

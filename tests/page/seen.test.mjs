@@ -104,8 +104,8 @@ for (const [width, height] of /** @type {const} */ ([
   test(`what is said of the picture is not under its tools, and the timeline fits: ${width} by ${height}`, async () => {
     await open({ viewport: { width, height }, hasTouch: true, isMobile: true });
     await put("part.offset[0]", 0.2);
-    await page.locator("#scrub").press("Control+ArrowRight");
-    const trial = await page.locator(".trial").boundingBox();
+    await page.locator("#timeline").press("Control+ArrowRight");
+    const trial = await page.locator(".part-note").boundingBox();
     assert.ok(trial);
     for (const button of await page
       .locator(".picture .cube button:visible")
@@ -121,7 +121,7 @@ for (const [width, height] of /** @type {const} */ ([
     const clock = await page.locator(".clock").boundingBox();
     assert.ok(clock && clock.x + clock.width <= width, `${clock?.x}`);
     assert.match(
-      await textOf(page.locator(".scrub output:visible")),
+      await textOf(page.locator(".timeline output:visible")),
       /^touch 1 · contact X37 Y0 Z-10/,
     );
   });
@@ -129,11 +129,11 @@ for (const [width, height] of /** @type {const} */ ([
 test("a part that lies elsewhere was not said beside an error", async () => {
   await put("part.rotation", 20);
   await field("cycle.width1").fill("10");
-  await page.locator(".stamp").waitFor();
-  assert.match(await textOf(page.locator(".trial")), /turned 20°/);
+  await page.locator(".banner").waitFor();
+  assert.match(await textOf(page.locator(".part-note")), /turned 20°/);
   const [stamp, trial] = await Promise.all([
-    page.locator(".stamp").boundingBox(),
-    page.locator(".trial").boundingBox(),
+    page.locator(".banner").boundingBox(),
+    page.locator(".part-note").boundingBox(),
   ]);
   assert.ok(
     stamp &&
@@ -156,41 +156,41 @@ test("a turn of 20° was drawn as one of 200°: it is not drawn larger", async (
 });
 
 test("the timeline of a form with an error still told moves, length and time of the last good one", async () => {
-  const said = () => textOf(page.locator(".scrub output"));
+  const said = () => textOf(page.locator(".timeline output"));
   assert.match(await said(), /^27 moves/);
   await field("cycle.width1").fill("10");
-  await page.locator(".stamp").waitFor();
+  await page.locator(".banner").waitFor();
   assert.equal(await said(), "");
   assert.equal(
     await page.getByRole("button", { name: "Play" }).isDisabled(),
     true,
   );
-  assert.equal(await page.locator("#scrub").getAttribute("max"), "0");
+  assert.equal(await page.locator("#timeline").getAttribute("max"), "0");
 });
 
 test("the clock of the timeline follows the moves", async () => {
   const clock = () => textOf(page.locator(".clock"));
   assert.equal(await clock(), "0:00 / 0:32");
-  await page.locator("#scrub").press("Control+ArrowRight");
+  await page.locator("#timeline").press("Control+ArrowRight");
   // Down from 30 to 10 at F2000, to touch 1 along 32 and 20 at F1000, 5 at F150: 0.6 + 3.12 + 2 s.
   assert.match(await clock(), /^0:0[56] \/ 0:32$/);
-  await page.locator("#scrub").fill("27");
+  await page.locator("#timeline").fill("27");
   assert.equal(await clock(), "0:32 / 0:32");
 });
 
 test("only keys went move by move", async () => {
-  const move = () => page.locator("#scrub").inputValue();
-  await page.locator("#scrub").press("ArrowRight");
-  await page.locator("#scrub").press("ArrowRight");
+  const move = () => page.locator("#timeline").inputValue();
+  await page.locator("#timeline").press("ArrowRight");
+  await page.locator("#timeline").press("ArrowRight");
   assert.equal(await move(), "2");
   assert.match(
-    await textOf(page.locator(".scrub output")),
+    await textOf(page.locator(".timeline output")),
     /^positioning · X0 Y0 Z10 · F2000$/,
   );
-  await page.locator("#scrub").press("ArrowLeft");
+  await page.locator("#timeline").press("ArrowLeft");
   assert.equal(await move(), "1");
-  await page.locator("#scrub").press("ArrowLeft");
-  await page.locator("#scrub").press("ArrowLeft");
+  await page.locator("#timeline").press("ArrowLeft");
+  await page.locator("#timeline").press("ArrowLeft");
   assert.equal(await move(), "0");
 });
 
@@ -290,7 +290,7 @@ test("buttons of the picture and the timeline are as wide as a finger on a phone
   });
   const buttons = await page
     .locator(
-      ".picture .cube button:visible, .scrub button:visible, .icon:visible",
+      ".picture .cube button:visible, .timeline button:visible, .icon:visible",
     )
     .all();
   assert.ok(buttons.length >= 7, `${buttons.length}`);
@@ -376,10 +376,10 @@ test("the rail of the timeline shrank as soon as a move was lit", async () => {
     });
     const rail = () =>
       page
-        .locator("#scrub")
+        .locator("#timeline")
         .evaluate((box) => box.getBoundingClientRect().width);
     const before = await rail();
-    await page.locator("#scrub").press("Control+ArrowRight");
+    await page.locator("#timeline").press("Control+ArrowRight");
     assert.equal(await rail(), before, String(width));
   }
 });
@@ -393,7 +393,7 @@ test("a program with a cycle of the control's own opened on its comments, and li
     /^\d+ TCH PROBE 1411/,
     "its own number, and no other",
   );
-  await page.locator("#scrub").press("Control+ArrowRight");
+  await page.locator("#timeline").press("Control+ArrowRight");
   assert.match(
     await textOf(page.locator("tp-program .line[aria-selected=true]")),
     /^\d+ TCH PROBE 1411/,

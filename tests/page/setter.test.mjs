@@ -51,7 +51,7 @@ const shown = () =>
     const seen = (/** @type {Element | null} */ one) =>
       one?.checkVisibility({ visibilityProperty: true }) &&
       one.getBoundingClientRect().width > 1 &&
-      !one.closest(".unseen") &&
+      !one.closest(".visually-hidden") &&
       getComputedStyle(one).clipPath === "none";
     const controls = [
       ...root.querySelectorAll("button, input, select, textarea, summary"),
@@ -131,7 +131,10 @@ test("what nothing has whole is found by its parts, and Enter opens the tool len
   const search = page.locator("tp-gallery input");
   const found = page.locator("tp-gallery [data-type]:visible");
   await search.fill("pocket LENTOAX");
-  assert.match(await textOf(page.locator("tp-gallery .told")), /some of them/);
+  assert.match(
+    await textOf(page.locator("tp-gallery .status-text")),
+    /some of them/,
+  );
   await search.fill("LENTOAX");
   assert.equal(await found.count(), 0);
   await page
@@ -157,7 +160,7 @@ test("each cycle and each control has its page, one click away from where it is 
   await page7.getByRole("button", { name: "Measure this" }).click();
   assert.equal(await held("cycle.type"), "boss");
   await field("control.post").selectOption("sinumerik");
-  const mark = page.locator("tp-findings .always");
+  const mark = page.locator("tp-findings .control-notes");
   assert.match(await textOf(mark), /Not yet run on this control/);
   // The foot is about this job: what holds for the control always is not in it.
   assert.doesNotMatch(
@@ -293,7 +296,7 @@ test("93 work offsets of one word are a number, not 93 entries", async () => {
   await number.fill("12");
   await number.press("Enter");
   assert.match(
-    await textOf(page.locator("tp-program .does")),
+    await textOf(page.locator("tp-program .write-summary")),
     /writes G154 P12 X Y/,
   );
   await number.fill("120");
@@ -551,7 +554,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
               (n) => n.nodeType === 3 && n.nodeValue?.trim(),
             ),
         )
-        .filter((one) => !one.closest(".unseen, style, option"))
+        .filter((one) => !one.closest(".visually-hidden, style, option"))
         .filter((one) => Number.parseFloat(getComputedStyle(one).fontSize) < 13)
         .map(
           (one) =>

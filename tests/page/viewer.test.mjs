@@ -37,7 +37,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   const viewer = page.locator("tp-viewer");
   await viewer.waitFor();
   assert.match(
-    await textOf(viewer.locator(".scrub output")),
+    await textOf(viewer.locator(".timeline output")),
     /6 moves, 1 of them probing; mm; read as LinuxCNC/,
   );
   assert.match(
@@ -58,7 +58,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   // From the left, until the first upright line.
   for (let x = 10; x < box.width && !told.startsWith("Line"); x += 8) {
     await page.mouse.move(box.x + x, box.y + box.height / 2);
-    told = await textOf(viewer.locator(".scrub output"));
+    told = await textOf(viewer.locator(".timeline output"));
   }
   assert.match(told, /^Line (3|4|5|6|7|9): (rapid|feed|probe) to X/);
   await page.getByRole("button", { name: "Back to the job" }).click();
@@ -74,7 +74,7 @@ test("a probing move that is looked at along its way was not seen: it is a dot w
   ) => {
     await openText(text, "foreign.ngc");
     await page
-      .locator("tp-viewer .scrub output", {
+      .locator("tp-viewer .timeline output", {
         hasText: new RegExp(`^${moves} moves`),
       })
       .waitFor();
@@ -188,7 +188,7 @@ test("a shorter program after a longer one left the picture of the first: what w
   await viewer.waitFor();
   const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
-  const told = () => textOf(viewer.locator(".scrub output"));
+  const told = () => textOf(viewer.locator(".timeline output"));
   for (
     let x = box.width - 10;
     x > 0 && !(await told()).startsWith("Line");
@@ -205,7 +205,7 @@ test("a shorter program after a longer one left the picture of the first: what w
   await page.waitForFunction(() => {
     const app = document.querySelector("touch-path");
     return app?.shadowRoot
-      ?.querySelector("tp-viewer .scrub output")
+      ?.querySelector("tp-viewer .timeline output")
       ?.textContent?.startsWith("2 moves, 1 of them probing");
   });
 });
@@ -244,7 +244,7 @@ test("a program that was refused was not shown: its text is, with the reason, al
   );
   await viewer.locator(".listing", { hasText: "o<edge> sub" }).waitFor();
   assert.match(
-    await textOf(viewer.locator(".scrub output")),
+    await textOf(viewer.locator(".timeline output")),
     /^1 moves, 1 of them probing/,
   );
   // What the importer does not take is said of a text that does not run.
@@ -252,7 +252,7 @@ test("a program that was refused was not shown: its text is, with the reason, al
   await page.getByRole("button", { name: "Back to the job" }).click();
   await openText("G21;G91;G38.2 Z-17 F70;G0 Z2\n", "macro.nc");
   await viewer.locator(".listing", { hasText: "G21;G91;G38." }).waitFor();
-  assert.match(await textOf(viewer.locator(".scrub output")), /^0 moves/);
+  assert.match(await textOf(viewer.locator(".timeline output")), /^0 moves/);
   assert.match(
     `${await textOf(viewer.locator(".notes"))} ${await textOf(page.locator(".note"))}`,
     /semicolon/,
@@ -274,7 +274,9 @@ test("a program of more than two million characters was not read, though its mov
   assert.ok(text.length > 2_000_000);
   await openText(text, "contour.nc");
   const viewer = page.locator("tp-viewer");
-  await viewer.locator(".scrub output", { hasText: "90001 moves" }).waitFor();
+  await viewer
+    .locator(".timeline output", { hasText: "90001 moves" })
+    .waitFor();
   assert.match(
     await textOf(viewer.locator(".notes")),
     /a job is made of at most 2 million/,
@@ -294,14 +296,14 @@ test("a long program: only lines that are seen are in the document; a line and i
   const lines = viewer.locator(".listing .line");
   await lines.first().waitFor();
   assert.ok((await lines.count()) < 300, String(await lines.count()));
-  const told = () => textOf(viewer.locator(".scrub output"));
+  const told = () => textOf(viewer.locator(".timeline output"));
   // Words far below are found, and their line is brought into sight.
   await viewer.getByLabel("Find in the program").fill("n15000 ");
   const found = viewer.locator(".line.here");
   await found.waitFor();
   assert.equal(await textOf(found), "N15000 G1 X196 Y74 F500");
   assert.equal(await found.getAttribute("data-number"), "15000");
-  assert.equal(await textOf(viewer.locator(".told.found")), "1 of 1");
+  assert.equal(await textOf(viewer.locator(".status-text.found")), "1 of 1");
   // The line says its move, and the picture the line of a move.
   await found.hover();
   assert.equal(await told(), "Line 15000: feed to X196 Y74 Z5 at 500");
@@ -356,7 +358,7 @@ test("a program of very many moves froze the page while it was drawn: it is draw
     await openText(text, "rounds.ngc");
     // A long text is read in a worker.
     await page
-      .locator("tp-viewer .scrub output", {
+      .locator("tp-viewer .timeline output", {
         hasText: `${text.split("\n").length - 3} moves`,
       })
       .waitFor();
@@ -463,7 +465,7 @@ test("before its editor is there, a found line was not brought into sight; when 
 test("on a phone the listing jumped under the pointer: what is said of a line has its room", async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openText(FOREIGN, "foreign.ngc");
-  const said = page.locator("tp-viewer .scrub output");
+  const said = page.locator("tp-viewer .timeline output");
   await page.locator("tp-viewer .line").first().waitFor();
   const { height } = await boxOf(said);
   for (const line of [4, 6]) {

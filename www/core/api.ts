@@ -22,6 +22,7 @@ import type {
   LentoaxQuery,
   Measured,
   Measurement,
+  Message,
   MoveColumns,
   Plan,
   ProgramKnown,
@@ -30,7 +31,6 @@ import type {
   ProgramRun,
   ProgramText,
   ResultRow,
-  Message,
   SetUp,
 } from "./types.js";
 import type { Packed } from "./unpacked.js";

@@ -7,6 +7,7 @@ import type { PROGRAM_POSTS } from "./program-posts.js";
 export type * from "./config-types.js";
 export type * from "./job-types.js";
 export type * from "./plan-types.js";
+
 import type { Message } from "./said.js";
 
 export type { Message, Words } from "./said.js";

@@ -128,7 +128,7 @@ export function followJob(
     // The selected move may be gone with its plan.
     selected();
   });
-  store.addEventListener("settled", committed);
+  store.addEventListener("edit-committed", committed);
   store.addEventListener("select", selected);
   app.updateComplete.then(() => changed(false));
 }

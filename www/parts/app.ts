@@ -3,11 +3,11 @@ import { repeat } from "lit/directives/repeat.js";
 import {
   awaited,
   type Job,
-  type ProgramMoves,
   type Message,
+  type ProgramMoves,
   type SetUp,
 } from "../core/browser.js";
-import { bufferInput } from "../hold.js";
+import { bufferInput } from "../input-buffer.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
 import { readAs } from "../sentences.js";
@@ -135,7 +135,7 @@ export class App extends LitElement {
         // The page keeps the editor of long programs for when there is no network.
         if (!isShort(viewed.text))
           this.around.host.dispatchEvent(
-            new CustomEvent("wanted", { detail: "editor" }),
+            new CustomEvent("load-editor", { detail: "editor" }),
           );
       },
       whole: () => this.tools.whole(),
@@ -277,8 +277,8 @@ export class App extends LitElement {
     this.addEventListener("dragover", intake.welcome);
     this.addEventListener("focusin", this.unhelp);
     this.store.addEventListener("change", this.forget);
-    this.store.addEventListener("told", this.pass);
-    this.store.addEventListener("cam", this.redraw);
+    this.store.addEventListener("announcement", this.pass);
+    this.store.addEventListener("cam-mode", this.redraw);
     this.store.addEventListener("language", this.reworded);
     this.reworded();
     shown(this.store).add(this);
@@ -302,8 +302,8 @@ export class App extends LitElement {
     this.removeEventListener("dragover", intake.welcome);
     this.removeEventListener("focusin", this.unhelp);
     this.store.removeEventListener("change", this.forget);
-    this.store.removeEventListener("told", this.pass);
-    this.store.removeEventListener("cam", this.redraw);
+    this.store.removeEventListener("announcement", this.pass);
+    this.store.removeEventListener("cam-mode", this.redraw);
     this.store.removeEventListener("language", this.reworded);
     shown(this.store).delete(this);
     redrawn(this.store);
@@ -328,7 +328,9 @@ export class App extends LitElement {
     const role = panels.length < 2 ? nothing : "tabpanel";
     // A wide page shows the state of the job above the results.
     const beside =
-      this.size.width >= WIDE && panels.length > 0 && !this.around.isRemotePanel;
+      this.size.width >= WIDE &&
+      panels.length > 0 &&
+      !this.around.isRemotePanel;
     const first =
       this.size.width >= WIDE && active === "results" && panels.length > 1;
     const findings = html`<tp-findings .store=${store} .panels=${this.everywhere} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow} .tall=${beside}></tp-findings>`;
@@ -342,12 +344,12 @@ export class App extends LitElement {
       none("no-tabs", !panels.length),
     ];
     return html`
-      <div class="frame" @ask=${(e: CustomEvent<string>) => this.actions.ask(e.detail)} @about=${(e: CustomEvent<string>) => this.actions.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.actions.choose(e.detail)}
-        @machine=${(e: CustomEvent<Preset>) => this.actions.machine(e.detail)} @say=${(e: CustomEvent<Message>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.find(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.with("program").actions.showLines(e.detail)}>
+      <div class="frame" @run-action=${(e: CustomEvent<string>) => this.actions.ask(e.detail)} @open-manual=${(e: CustomEvent<string>) => this.actions.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.actions.choose(e.detail)}
+        @machine=${(e: CustomEvent<Preset>) => this.actions.machine(e.detail)} @announce=${(e: CustomEvent<Message>) => this.tell(e.detail, true)} @go-to-field=${(e: CustomEvent<string>) => this.find(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.with("program").actions.showLines(e.detail)}>
       <header part="bar" ?hidden=${this.around.isRemotePanel}>
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .opened=${this.opened} .saves=${!narrow}></tp-bar>
-        <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
+        <input id="file" class="visually-hidden" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${menu(frame)}
       </header>
       <div class="notes">

@@ -65,7 +65,7 @@ class BarPart extends FieldPart {
       <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       ${this.saves && !this.opened ? saveButton(store, withheld, () => this.ask("save")) : nothing}
-      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
+      ${withheld === null ? nothing : html`<span class="visually-hidden" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }
 
@@ -78,13 +78,13 @@ class BarPart extends FieldPart {
       (sign: string) => TemplateResult | typeof nothing
     > = {
       what: (sign) =>
-        html`<span class="answer what">${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: store.cycle.says })}${sign}</span>`,
+        html`<span class="bar-field what">${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: store.cycle.says })}${sign}</span>`,
       machine: (sign) =>
-        html`<span class="answer where">${this.hides("control.post") ? nothing : this.machine()}${this.probe()}${sign}</span>`,
+        html`<span class="bar-field where">${this.hides("control.post") ? nothing : this.machine()}${this.probe()}${sign}</span>`,
       does: (sign) =>
         this.hides("control.workOffset")
           ? nothing
-          : html`<span class="answer then">${this.does()}${sign}</span>`,
+          : html`<span class="bar-field then">${this.does()}${sign}</span>`,
     };
     const words = this.t(
       "Find {what} on {machine}; the program {does}",
@@ -108,7 +108,7 @@ class BarPart extends FieldPart {
     const about = unknown
       ? this.store.say(unknown.said)
       : this.t("The probe and the machine");
-    return html`<button type="button" class="probe" title=${about} @click=${() => this.dispatchEvent(new CustomEvent("go", { detail: unknown ? "stylus.length" : "stylus.diameter", bubbles: true }))}>${probeInWords(this.store)}${unknown ? html`<span class="dot" aria-label=${about} role="img"></span>` : nothing}</button>`;
+    return html`<button type="button" class="probe" title=${about} @click=${() => this.dispatchEvent(new CustomEvent("go-to-field", { detail: unknown ? "stylus.length" : "stylus.diameter", bubbles: true }))}>${probeInWords(this.store)}${unknown ? html`<span class="dot" aria-label=${about} role="img"></span>` : nothing}</button>`;
   }
 
   /** Whether the host page hides a field that has no error. */
@@ -233,7 +233,7 @@ class BarPart extends FieldPart {
     const none = store.post?.workOffsets === 0 || own;
     if (none && (store.get("control.workOffset") ?? null) === null) {
       if (store.fieldAt("cycle.confirmRotation") && own) return this.sets();
-      return html`<span class="does" role="note">${store.stale ? this.t("no program") : store.does}</span>`;
+      return html`<span class="write-summary" role="note">${store.stale ? this.t("no program") : store.does}</span>`;
     }
     const choose = (n: string) => {
       store.put("control.workOffset", n === "" ? null : Number(n));
@@ -258,7 +258,7 @@ class BarPart extends FieldPart {
       this.store.put("control.workOffset", first + page - 1);
     else {
       this.dispatchEvent(
-        new CustomEvent("say", {
+        new CustomEvent("announce", {
           bubbles: true,
           detail: [w("Enter a whole number from 1 to {most}"), String(count)],
         }),
@@ -340,7 +340,9 @@ class BarPart extends FieldPart {
   }
 
   private ask(what: string): void {
-    this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: what }));
+    this.dispatchEvent(
+      new CustomEvent("run-action", { bubbles: true, detail: what }),
+    );
   }
 }
 

@@ -63,7 +63,7 @@ export abstract class DrawnPart extends CanvasPart {
   /** View cube: a button for each face, and one at the corner for the isometric view. */
   protected tools(label: string): TemplateResult {
     return html`<div class="cube" role="toolbar" aria-label=${label}>
-        ${VIEWS.map((name) => html`<button type="button" class=${name} title=${this.t(VIEW_NAMES[name])} aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}><span class="unseen">${this.t(VIEW_NAMES[name])}</span></button>`)}
+        ${VIEWS.map((name) => html`<button type="button" class=${name} title=${this.t(VIEW_NAMES[name])} aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}><span class="visually-hidden">${this.t(VIEW_NAMES[name])}</span></button>`)}
         <svg viewBox="0 0 64 64" aria-hidden="true"><path d="M32 4 60 18v30L32 62 4 48V18zM4 18l28 14 28-14M32 32v30"></path></svg>
       </div>`;
   }

@@ -88,7 +88,7 @@ class ChecksPart extends StorePart {
     const shared = same ? first.said : null;
     return html`
       <h2>${this.t("Findings")}</h2>
-      ${sorted.length === 0 ? html`<p class="fine">✓ ${this.t("No problems found")}</p>` : html`<ul class="found">${sorted.map((f) => this.finding(f))}</ul>`}
+      ${sorted.length === 0 ? html`<p class="no-problems">✓ ${this.t("No problems found")}</p>` : html`<ul class="found">${sorted.map((f) => this.finding(f))}</ul>`}
       ${
         stale
           ? nothing
@@ -194,7 +194,7 @@ class ChecksPart extends StorePart {
 
   private about(): void {
     this.dispatchEvent(
-      new CustomEvent("about", {
+      new CustomEvent("open-manual", {
         bubbles: true,
         detail: `control:${this.store.post?.id}`,
       }),
@@ -203,7 +203,9 @@ class ChecksPart extends StorePart {
 
   private go(event: Event, path: string): void {
     event.preventDefault();
-    this.dispatchEvent(new CustomEvent("go", { detail: path, bubbles: true }));
+    this.dispatchEvent(
+      new CustomEvent("go-to-field", { detail: path, bubbles: true }),
+    );
   }
 }
 

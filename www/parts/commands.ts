@@ -62,7 +62,7 @@ class CommandsPart extends StorePart {
             ) => html`<li id=${`command-${i}`} role="option" aria-selected=${i === at ? "true" : "false"} @click=${() => this.run(one)}>
               <b>${one.name}</b> <span class="kind">${one.kind}</span>${one.says ? html`<small>${one.says}</small>` : nothing}</li>`,
           )}</ul>
-          ${list.length === 0 ? html`<p class="told" role="status">${this.t("Nothing is found by these words.")}</p>` : nothing}`
+          ${list.length === 0 ? html`<p class="status-text" role="status">${this.t("Nothing is found by these words.")}</p>` : nothing}`
         : nothing
     }</dialog>`;
   }
@@ -174,7 +174,7 @@ class CommandsPart extends StorePart {
       ({ name, event }): Command => ({
         name: this.t("About {cycle}", name),
         kind: this.t("manual"),
-        event: ["about", event[1].replace("cycle.type", "cycle")],
+        event: ["open-manual", event[1].replace("cycle.type", "cycle")],
       }),
     );
     const setUps = store.readySetUps.map(
@@ -198,7 +198,7 @@ class CommandsPart extends StorePart {
       {
         name: this.t("About {control}", post.title),
         kind: this.t("manual"),
-        event: ["about", `control:${post.id}`],
+        event: ["open-manual", `control:${post.id}`],
       },
     ]);
     const field =
@@ -218,7 +218,7 @@ class CommandsPart extends StorePart {
             kind: this.t(entry.group),
             says: entry.help,
             also: entry.code ?? "",
-            event: ["go", at],
+            event: ["go-to-field", at],
           },
         ];
       };
@@ -236,7 +236,7 @@ class CommandsPart extends StorePart {
         name,
         kind: this.t("action"),
         also: [ALSO[what] ?? "", this.t(ALSO[what] ?? "")].join(" "),
-        event: ["ask", what],
+        event: ["run-action", what],
       }),
     );
     const units = (["mm", "inch"] as const)

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob } from "../core/browser.js";
-import type { Feature } from "../features.js";
+import type { Feature } from "../cycle-list.js";
 import { sizesInWords } from "../sentences.js";
 import type { Draft, Store } from "../store.js";
 import { w } from "../words.js";
@@ -145,7 +145,7 @@ export function featureRow(
       store.moveFeature(from, place);
   };
   if (!several)
-    return html`<button type="button" class="feature gallery" aria-label=${store.t("Gallery")} title=${store.t("Choose the cycle from pictures")} ?disabled=${store.readonly} @click=${(e: Event) => e.target?.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "gallery" }))}>${words}</button>`;
+    return html`<button type="button" class="feature gallery" aria-label=${store.t("Gallery")} title=${store.t("Choose the cycle from pictures")} ?disabled=${store.readonly} @click=${(e: Event) => e.target?.dispatchEvent(new CustomEvent("run-action", { bubbles: true, detail: "gallery" }))}>${words}</button>`;
   return html`<div class="head" draggable=${store.readonly ? "false" : "true"}
       @dragstart=${(e: DragEvent) => e.dataTransfer?.setData("text/x-touchpath-cycle", String(place))}
       @dragover=${(e: DragEvent) => e.dataTransfer?.types.includes("text/x-touchpath-cycle") && e.preventDefault()}
@@ -182,7 +182,7 @@ function acts(
     if (text !== "") store.renameFeature(place, text);
     else box.value = store.features.all[place]?.name ?? "";
   };
-  return html`<span class="acts"><input type="text" maxlength="12" spellcheck="false" aria-label=${store.t("Name of this cycle")} .value=${name} ?disabled=${store.readonly} @change=${(e: Event) => rename(e.target as HTMLInputElement)} />
+  return html`<span class="row-actions"><input type="text" maxlength="12" spellcheck="false" aria-label=${store.t("Name of this cycle")} .value=${name} ?disabled=${store.readonly} @change=${(e: Event) => rename(e.target as HTMLInputElement)} />
     ${button("↑", w("{cycle} earlier"), () => store.moveFeature(place, place - 1), place === 0)}
     ${button("↓", w("{cycle} later"), () => store.moveFeature(place, place + 1), place + 1 === count)}
     ${button(TWICE, w("Duplicate {cycle}"), () => store.duplicateFeature(place))}

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import type { Plan } from "../core/browser.js";
-import type { Related } from "../features.js";
+import type { Related } from "../cycle-list.js";
 import { readNumber } from "../number.js";
 import { w } from "../words.js";
 import { StorePart } from "./part.js";
@@ -220,7 +220,7 @@ class FeaturesPart extends StorePart {
     if (store.readonly || (!several && store.cycle.touches === false))
       return nothing;
     if (!store.rules.allowsSetUps) return nothing;
-    return html`<p class="adding"><button type="button" class="quiet" @click=${() => this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "add" }))}>${this.t("+ Add a feature")}</button></p>`;
+    return html`<p class="adding"><button type="button" class="quiet" @click=${() => this.dispatchEvent(new CustomEvent("run-action", { bubbles: true, detail: "add" }))}>${this.t("+ Add a feature")}</button></p>`;
   }
 }
 

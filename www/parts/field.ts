@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
-import { head } from "../features.js";
+import { head } from "../cycle-list.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
 import { StorePart } from "./part.js";
 
@@ -331,13 +331,13 @@ export abstract class FieldPart extends StorePart {
     { field, path }: Placed,
     parts: string[] = [path],
   ): TemplateResult {
-    return html`<span class="unseen" id=${`h-${path}`}>${field.help}</span>${parts.map((part) => this.problems(part))}`;
+    return html`<span class="visually-hidden" id=${`h-${path}`}>${field.help}</span>${parts.map((part) => this.problems(part))}`;
   }
 
   protected problems(path: string): TemplateResult | typeof nothing {
     const found = this.store.at(path);
     if (found.length === 0) return nothing;
-    return html`<span class="unseen" id=${`e-${path}`}>${found.map((f: Finding) => html`<span class=${f.level}>${this.message(f)} </span>`)}</span>`;
+    return html`<span class="visually-hidden" id=${`e-${path}`}>${found.map((f: Finding) => html`<span class=${f.level}>${this.message(f)} </span>`)}</span>`;
   }
 
   protected isBad(path: string): boolean {

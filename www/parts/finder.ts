@@ -28,7 +28,7 @@ export class Finder {
         @keydown=${(e: KeyboardEvent) => {
           if (e.key === "Enter") this.step(e.shiftKey ? -1 : 1);
         }} />
-      <span role="status" class="told found">${hidden ? "" : this.said()}</span>`;
+      <span role="status" class="status-text found">${hidden ? "" : this.said()}</span>`;
   }
 
   /** The text may be another one: the words are looked for again, and the lines stay where they are. Lines that were given go with their text. */

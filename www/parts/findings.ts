@@ -102,14 +102,14 @@ class FindingsPart extends StorePart {
     return html`
       ${
         worst && this.tall && worst.level === "info"
-          ? html`<p class="verdict fine" role="status">✓ ${this.t("Ready to save")}</p><p class="verdict info"><b>${words.join(", ")}:</b> ${this.message(worst)}
+          ? html`<p class="verdict no-problems" role="status">✓ ${this.t("Ready to save")}</p><p class="verdict info"><b>${words.join(", ")}:</b> ${this.message(worst)}
             ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(this.store.fieldOf(worst))}>${this.t("Go to it")}</button>` : nothing}
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}</p>`
           : worst
             ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
             ${worst.path && this.panels.includes("form") ? (remedy(this.store, worst) ?? html`<button type="button" class="quiet" @click=${() => this.go(this.store.fieldOf(worst))}>${this.t("Go to it")}</button>`) : nothing}
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
-            : html`<p class="verdict fine" role="status">✓ ${this.t("Ready to save")}</p>`
+            : html`<p class="verdict no-problems" role="status">✓ ${this.t("Ready to save")}</p>`
       }
       ${this.tall && !stale ? html`<p class="sum">${this.sum()}</p>` : nothing}
       ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : other ? html`<p class="note" title=${other}>${other}</p>` : html`<span class="gap"></span>`}
@@ -151,15 +151,19 @@ class FindingsPart extends StorePart {
     const grave = standing.some(
       (f) => f.code === code && f.level === "warning",
     );
-    return html`<button type="button" class=${`always quiet ${grave ? "warning" : ""}`} title=${this.t("About {control}", title)} @click=${() => this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: `control:${id}` }))}>${this.t(says)}</button>`;
+    return html`<button type="button" class=${`control-notes quiet ${grave ? "warning" : ""}`} title=${this.t("About {control}", title)} @click=${() => this.dispatchEvent(new CustomEvent("open-manual", { bubbles: true, detail: `control:${id}` }))}>${this.t(says)}</button>`;
   }
 
   private go(path: string): void {
-    this.dispatchEvent(new CustomEvent("go", { detail: path, bubbles: true }));
+    this.dispatchEvent(
+      new CustomEvent("go-to-field", { detail: path, bubbles: true }),
+    );
   }
 
   private ask(what: string): void {
-    this.dispatchEvent(new CustomEvent("ask", { detail: what, bubbles: true }));
+    this.dispatchEvent(
+      new CustomEvent("run-action", { detail: what, bubbles: true }),
+    );
   }
 }
 

@@ -164,7 +164,7 @@ export abstract class FormRows extends FieldPart {
         return html`<div class="row whole" role="group" aria-label=${field.label}>
           <span class="label" title=${field.help}>${field.label}</span>
           <div class="point">
-            ${["X", "Y", "Z"].map((axis, i) => html`<span class=${typeof this.store.get(`${path}[${i}]`) === "string" ? "axis long" : "axis"}><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`, this.followed(field, path, i))}<span class="unseen" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
+            ${["X", "Y", "Z"].map((axis, i) => html`<span class=${typeof this.store.get(`${path}[${i}]`) === "string" ? "axis long" : "axis"}><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`, this.followed(field, path, i))}<span class="visually-hidden" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
           </div>
           ${this.said(placed, [path, ...[0, 1, 2].map((i) => `${path}[${i}]`)])}
         </div>`;

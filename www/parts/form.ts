@@ -103,7 +103,7 @@ class FormPart extends FormRows {
     return html`
       <nav class="chips" aria-label=${this.t("Parts of the form")}>${
         store.features.several
-          ? html`${rows.map(({ one, place, now }) => html`<button type="button" class="chip" aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(place)}>${one.name}</button>`)}<button type="button" class="add" ?disabled=${store.readonly} @click=${() => this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "add" }))}>${this.t("+ Add")}</button>`
+          ? html`${rows.map(({ one, place, now }) => html`<button type="button" class="chip" aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(place)}>${one.name}</button>`)}<button type="button" class="add" ?disabled=${store.readonly} @click=${() => this.dispatchEvent(new CustomEvent("run-action", { bubbles: true, detail: "add" }))}>${this.t("+ Add")}</button>`
           : nothing
       }${chips.map(
         ([

@@ -70,7 +70,7 @@ class HelpPart extends StorePart {
 
   private about(topic: string): void {
     this.dispatchEvent(
-      new CustomEvent("about", { bubbles: true, detail: topic }),
+      new CustomEvent("open-manual", { bubbles: true, detail: topic }),
     );
   }
 

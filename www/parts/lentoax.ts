@@ -287,7 +287,7 @@ class LentoaxPart extends CanvasPart {
         )}</tbody>
       </table>
       <h2>${this.t("Ask the control itself")}</h2>
-      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>${this.t("Copy")}</button><button type="button" ?disabled=${this.store.readonly} @click=${this.take}>${this.t("Apply to the job")}</button><span role="status" class="told">${this.told}</span></div>
+      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>${this.t("Copy")}</button><button type="button" ?disabled=${this.store.readonly} @click=${this.take}>${this.t("Apply to the job")}</button><span role="status" class="status-text">${this.told}</span></div>
       <pre class="code" lang="en" translate="no" tabindex="0">${words.program}</pre>
       <p class="help">${this.t("The call is the manual's; the check after it is ours: it compares with the answer above, and was not run on a control. The manual's own example turned by 60° says in its text that L1 lies along the negative ordinate; its printed result (-3) and the geometry say L3: a misprint.")}</p>
     `;

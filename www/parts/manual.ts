@@ -39,13 +39,13 @@ class ManualPart extends CanvasPart {
     return html`
       <h2 tabindex="-1">${cycle.title}</h2>
       <p class="lead">${cycle.says}</p>
-      <p class="told">${cycle.source}</p>
+      <p class="status-text">${cycle.source}</p>
       ${used ? nothing : html`<p><button type="button" class="primary" ?disabled=${store.readonly} @click=${() => this.use(cycle)}>${this.t("Measure this")}</button></p>`}
       ${cycle.steps.length > 0 ? html`<canvas role="img" aria-label=${this.t("Path of the probe, isometric")}></canvas>` : nothing}
       ${cycle.steps.length > 0 ? html`<h3>${this.t("What the probe does")}</h3><ol>${cycle.steps.map((step) => html`<li>${step}</li>`)}</ol>` : nothing}
       ${results.length > 0 ? html`<h3>${this.t("What is measured")}</h3><ul>${results.map((row) => html`<li>${resultInWords(store, row)}</li>`)}</ul>` : nothing}
       <h3>${this.t("What the form asks")}</h3>
-      <dl class="terms">${fields.map((field) => this.field(field))}</dl>
+      <dl class="definitions">${fields.map((field) => this.field(field))}</dl>
       <h3>${this.t("On which controls")}</h3>
       ${this.takes(store.catalog.posts.map((post) => [post.title, post, cycle.type]))}`;
   }
@@ -70,7 +70,7 @@ class ManualPart extends CanvasPart {
     return html`
       <h2 tabindex="-1">${post.title}</h2>
       ${always.length > 0 ? html`<h3>${this.t("What always holds")}</h3><ul>${always.map((f) => html`<li class=${f.level}>${this.message(f)}</li>`)}</ul>` : nothing}
-      ${unable.length > 0 ? html`<h3>${this.t("Rules it cannot guarantee")}</h3><dl class="terms">${unable.map((row) => html`<dt>${rule(row.rule)}</dt><dd>${store.say(row.said)}</dd>`)}</dl>` : nothing}
+      ${unable.length > 0 ? html`<h3>${this.t("Rules it cannot guarantee")}</h3><dl class="definitions">${unable.map((row) => html`<dt>${rule(row.rule)}</dt><dd>${store.say(row.said)}</dd>`)}</dl>` : nothing}
       <h3>${this.t("What it can do")}</h3>
       <ul>
         <li>${post.computes ? this.t("Its program computes the results.") : this.t("Its program computes nothing: results come from the points that it reports.")}</li>

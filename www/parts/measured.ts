@@ -149,7 +149,7 @@ class MeasuredPart extends StorePart {
     const told = this.told?.block === block ? this.told.text : "";
     return html`<div class="block"><b>${this.t("Type this before anything moves:")}</b>
       <pre class="code" lang="en" translate="no" tabindex="0">${block}</pre>
-      <button type="button" @click=${() => this.copy(block)}>${this.t("Copy")}</button> <span role="status" class="told">${told}</span></div>`;
+      <button type="button" @click=${() => this.copy(block)}>${this.t("Copy")}</button> <span role="status" class="status-text">${told}</span></div>`;
   }
 
   private async copy(block: string): Promise<void> {

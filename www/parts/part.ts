@@ -12,7 +12,10 @@ export abstract class StorePart extends LitElement {
   protected lights = false;
 
   /** A text in the language of the page. */
-  protected t(template: string, ...values: (string | number | Message)[]): string {
+  protected t(
+    template: string,
+    ...values: (string | number | Message)[]
+  ): string {
     return this.store.t(template, ...values);
   }
 

@@ -52,7 +52,7 @@ class PicturePart extends DrawnPart {
   private pulled: Spot | null = null;
   private readonly timeline = new Timeline(
     this,
-    "scrub",
+    "timeline",
     () => this.store,
     new PlanRun(() => this.store),
     (act) => this.drawing?.use(act),
@@ -115,8 +115,8 @@ class PicturePart extends DrawnPart {
         <canvas class="over" aria-hidden="true"></canvas>
         ${awaited() ? html`<slot name="picture"></slot>` : nothing}
         <div class="stamps">
-        ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: showing the last valid plan")}</p>` : nothing}
-        ${still ? html`<p class="stamp idle">${this.t("This cycle has no motion: it only adds rows to the parameter table")}</p>` : this.deviates()}
+        ${stale ? html`<p class="banner" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: showing the last valid plan")}</p>` : nothing}
+        ${still ? html`<p class="banner idle">${this.t("This cycle has no motion: it only adds rows to the parameter table")}</p>` : this.deviates()}
         </div>
       </div>
       ${moves === 0 ? nothing : html`<ul class="key" aria-label=${this.t("Kinds of lines")}>${this.kinds()}</ul>`}
@@ -240,7 +240,7 @@ class PicturePart extends DrawnPart {
     const implausible = this.store.findings.find(
       ({ code }) => code === "implausible",
     );
-    return html`<p class="trial"><span title=${off.join(", ")}>${this.t("Virtual part")}: ${off.join(", ")}</span>
+    return html`<p class="part-note"><span title=${off.join(", ")}>${this.t("Virtual part")}: ${off.join(", ")}</span>
       ${implausible ? html`<b title=${this.store.say(implausible.said)}>${this.t("implausible")}</b>` : nothing}
       ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>${this.magnified === 1 ? "×1" : this.t("drawn ×{times}", this.magnified)}</button>` : nothing}
       ${nominal(this.store)}</p>`;
@@ -541,7 +541,7 @@ class PicturePart extends DrawnPart {
     this.tapped = null;
     if (field)
       this.dispatchEvent(
-        new CustomEvent("go", { detail: field, bubbles: true }),
+        new CustomEvent("go-to-field", { detail: field, bubbles: true }),
       );
   }
 

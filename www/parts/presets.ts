@@ -38,7 +38,7 @@ class PresetsPart extends StorePart {
           @keydown=${(e: KeyboardEvent) => e.key === "Enter" && this.keep()} />
         <button type="button" @click=${() => this.keep()}>${this.t("Keep the present values")}</button>
       </div>
-      <p class="told"><span role="status">${this.told}</span> ${this.earlier ? html`<button type="button" class="quiet" @click=${this.takeBack}>${this.t("Undo")}</button>` : nothing}</p>
+      <p class="status-text"><span role="status">${this.told}</span> ${this.earlier ? html`<button type="button" class="quiet" @click=${this.takeBack}>${this.t("Undo")}</button>` : nothing}</p>
       ${
         this.list.length > 0
           ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a machine")}>${Object.entries(

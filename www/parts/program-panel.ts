@@ -157,7 +157,7 @@ class ProgramPart extends StorePart {
             ? "touch"
             : "";
       const touch = move === undefined ? undefined : numbers.get(move);
-      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="no">${numberOf(line)}</span>`}<span class="text">${text}</span>${touch === undefined ? nothing : html`<span class="disc" role="img" aria-label=${this.t("touch {touch}", touch)}>${touch}</span>`}</div>`;
+      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="line-number">${numberOf(line)}</span>`}<span class="text">${text}</span>${touch === undefined ? nothing : html`<span class="disc" role="img" aria-label=${this.t("touch {touch}", touch)}>${touch}</span>`}</div>`;
     };
     /** Lines that make no move and are rarely looked for, under one mark. */
     const rows = (lines: Line[]) => {
@@ -173,7 +173,7 @@ class ProgramPart extends StorePart {
         const [first] = run as [Line];
         if (!plain(first) || this.everything || this.opened.has(first.line))
           return run.map(row);
-        return html`<div role="option" aria-selected="false" class="folded" data-run=${first.line}><span class="no">   ⋯  </span>${this.runInWords(run)}</div>`;
+        return html`<div role="option" aria-selected="false" class="folded" data-run=${first.line}><span class="line-number">   ⋯  </span>${this.runInWords(run)}</div>`;
       });
     };
     const numbered = lines.map((text, line) => ({ text, line }));
@@ -195,7 +195,7 @@ class ProgramPart extends StorePart {
     return html`
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy")}</button>
-        <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
+        <span role="status" class="status-text">${stale || this.toldOf !== program.text ? "" : this.told}</span>
         ${this.finder.render(this.comparing)}
         <select class="compares" aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} ?hidden=${this.store.saved === null && !this.otherForm} @change=${this.choose}>
           <option value="">⇄ ${this.t("Compare with …")}</option>
@@ -226,7 +226,7 @@ class ProgramPart extends StorePart {
         })}
       </div>
       ${this.screen()}
-      <p class="does">${stale ? this.t("no program") : this.t("This program {does}", program.said)}</p>
+      <p class="write-summary">${stale ? this.t("no program") : this.t("This program {does}", program.said)}</p>
     `;
   }
 
@@ -384,7 +384,7 @@ class ProgramPart extends StorePart {
       <dialog class="beside" aria-label=${this.t("Side by side")} @close=${() => this.widen(false)}>${this.wide ? this.beside(lines) : nothing}</dialog>
       <div class=${this.store.stale ? "code differences stale" : "code differences"} lang="en" translate="no" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
         ({ sign, text, line }) =>
-          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : numberOf(line)}</span><span class="sign">${this.sign(sign)}</span><span class="text">${text}</span></div>`,
+          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="line-number">${line === null ? "" : numberOf(line)}</span><span class="sign">${this.sign(sign)}</span><span class="text">${text}</span></div>`,
       )}</div>`;
   }
 
@@ -411,10 +411,10 @@ class ProgramPart extends StorePart {
     const cells = (one: Compared | null, line: number | null | undefined) => {
       const kind =
         one === null ? "none" : { " ": "", "-": "less", "+": "more" }[one.sign];
-      return html`<td class=${`no ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;
+      return html`<td class=${`line-number ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;
     };
     return html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>
-      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${this.t(this.against === "form" && this.otherForm ? FORMS[this.otherForm] : w("saved last"))}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
+      <table><colgroup><col class="line-number" /><col /><col class="line-number" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${this.t(this.against === "form" && this.otherForm ? FORMS[this.otherForm] : w("saved last"))}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
         <tbody lang="en" translate="no">${this.compares?.beside(lines).map(([left, right]) => html`<tr>${cells(left, left?.other)}${cells(right, right?.line)}</tr>`)}</tbody></table>`;
   }
 

@@ -31,7 +31,8 @@ export class Refocus implements ReactiveController {
       event.type === "click" ||
       (event instanceof KeyboardEvent && event.key === "Escape");
     const at = this.root.activeElement;
-    if (at && acts) this.scheduleRestore(at, at.closest(".group, dialog"), RESTORE_DELAYS);
+    if (at && acts)
+      this.scheduleRestore(at, at.closest(".group, dialog"), RESTORE_DELAYS);
   };
 
   private scheduleRestore(

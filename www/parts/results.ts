@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { ResultRow, Message } from "../core/browser.js";
+import type { Message, ResultRow } from "../core/browser.js";
 import { isBad, isWritten } from "../core/results.js";
 import { evaluated, number, places, Reports, shown } from "../measured.js";
 import { ofRunout, resultInWords } from "../sentences.js";

@@ -229,7 +229,9 @@ class SheetPart extends StorePart {
     form: Record<string, unknown>,
   ): TemplateResult | typeof nothing {
     const value =
-      held === undefined ? this.store.defaultValue(field) : (held ?? field.null);
+      held === undefined
+        ? this.store.defaultValue(field)
+        : (held ?? field.null);
     const { when } = field;
     const idle =
       field.group.startsWith("Postprocessor") ||

@@ -3,10 +3,10 @@ import {
   type CodeGroup,
   exportTable,
   type Job,
+  type Message,
   meanings,
   type ParameterRow,
   type Plan,
-  type Message,
   type TouchPoint,
 } from "../core/browser.js";
 import { alike } from "../job.js";
@@ -71,7 +71,7 @@ class TablePart extends StorePart {
             this.filter = (e.target as HTMLInputElement).value;
             this.requestUpdate();
           }} />
-        <span role="status" class="told">${told || (wanted ? this.t("{count} of {all}", rows.length, plan.table.length) : "")}</span>
+        <span role="status" class="status-text">${told || (wanted ? this.t("{count} of {all}", rows.length, plan.table.length) : "")}</span>
       </div>
       ${withheld(this.store, "withheld-table")}
       <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label=${this.t("Parameter table")}>
@@ -183,7 +183,9 @@ class TablePart extends StorePart {
 
   private go(event: Event, path: string): void {
     event.preventDefault();
-    this.dispatchEvent(new CustomEvent("go", { detail: path, bubbles: true }));
+    this.dispatchEvent(
+      new CustomEvent("go-to-field", { detail: path, bubbles: true }),
+    );
   }
 }
 

@@ -70,7 +70,7 @@ export class Timeline {
       event.preventDefault();
       this.faster();
     };
-    return html`<div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.key}>
+    return html`<div class="timeline" role="group" aria-label=${this.t("Timeline")} @keydown=${this.key}>
         <button type="button" class="play" aria-label=${this.plays ? this.t("Pause") : this.t("Play")} title=${this.t("Play, pause (Space). Speed: S, or a right click")} ?disabled=${count === 0} @click=${this.toggle} @contextmenu=${faster}>${this.plays ? "❚❚" : "▶"}</button>
         <span class="track">
           <input id=${this.id} type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
@@ -101,12 +101,12 @@ export class Timeline {
 
   /** Says the move that is pointed at. */
   light(): void {
-    const scrub = this.box.querySelector<HTMLInputElement>(`#${this.id}`);
+    const slider = this.box.querySelector<HTMLInputElement>(`#${this.id}`);
     const words = this.box.querySelector("output");
-    if (!scrub || !words) return;
+    if (!slider || !words) return;
     const { at } = this.run;
-    scrub.value = String(this.at);
-    scrub.setAttribute("aria-valuetext", this.run.words(at, false));
+    slider.value = String(this.at);
+    slider.setAttribute("aria-valuetext", this.run.words(at, false));
     words.classList.toggle("rest", at === null);
     words.textContent = this.run.words(at, true);
     this.tell();

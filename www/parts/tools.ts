@@ -58,7 +58,8 @@ export class Tools {
   preload(): void {
     const later = () => {
       if (this.app.isConnected)
-        for (const load of Object.values(LAZY_PARTS)) load().catch(() => undefined);
+        for (const load of Object.values(LAZY_PARTS))
+          load().catch(() => undefined);
     };
     // Not while the module is still to come: they would share its line.
     const there = awaited() ?? Promise.resolve();

@@ -2,10 +2,10 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type {
   Finding,
+  Message,
   PageView,
   ProgramKnown,
   ProgramMoves,
-  Message,
 } from "../core/browser.js";
 import { keepKnown, knownOf } from "../known.js";
 import { type Ran, runText } from "../run-text.js";
@@ -83,7 +83,7 @@ class ViewerPart extends DrawnPart {
   private touches: number[] = [];
   private readonly timeline = new Timeline(
     this,
-    "scrub-program",
+    "timeline-program",
     () => this.store,
     this.timelineRun(),
     (act) => this.drawing?.use(act),

@@ -2,7 +2,13 @@
 
 import type { Catalog, Relation } from "./core/browser.js";
 import { jobName } from "./core/browser.js";
-import { complete, type Draft, isObject, type CycleParts, convertCycleParts } from "./job.js";
+import {
+  type CycleParts,
+  complete,
+  convertCycleParts,
+  type Draft,
+  isObject,
+} from "./job.js";
 
 /** A cycle of a set-up. */
 export interface Feature extends CycleParts {
@@ -468,7 +474,13 @@ export class CycleList {
 
   /** One cycle is left: a job of one cycle. */
   alone(): void {
-    this.restoreSnapshot({ all: [], hand: 0, clear: null, datum: {}, relations: [] });
+    this.restoreSnapshot({
+      all: [],
+      hand: 0,
+      clear: null,
+      datum: {},
+      relations: [],
+    });
   }
 
   state(): SetUpState {
@@ -476,7 +488,13 @@ export class CycleList {
     return structuredClone({ all, hand, clear, datum, relations });
   }
 
-  restoreSnapshot({ all, hand, clear, datum, relations = [] }: SetUpState): void {
+  restoreSnapshot({
+    all,
+    hand,
+    clear,
+    datum,
+    relations = [],
+  }: SetUpState): void {
     // What was kept before there were tolerances has none.
     const whole = all.map((one) => ({
       ...one,
