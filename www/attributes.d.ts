@@ -1,4 +1,4 @@
-// What the elements take in markup, for the types of frameworks.
+// Attributes of the elements, as the types of frameworks need them.
 import type { TouchPath, TouchPathEvents } from "./element/element.js";
 import type { Config, Cycle, Job, PostId, SetUp } from "./types.js";
 

@@ -13,13 +13,13 @@ import {
 /** A cycle of a set-up. */
 export interface Feature extends CycleParts {
   name: string;
-  /** Whether the user has named it; otherwise its name follows what it measures. */
+  /** Whether the user has named it; otherwise its name depends on the cycle type. */
   named: boolean;
   /** Left out of the program. */
   off: boolean;
 }
 
-/** What is computed of the results of cycles. */
+/** A relation: a result computed from results of cycles. */
 export interface Related {
   name: string;
   type: Relation["type"];
@@ -27,7 +27,7 @@ export interface Related {
   tolerances: Draft;
 }
 
-/** What a set-up has beside its cycles. */
+/** State of a set-up besides its cycles. */
 export interface SetUpState {
   all: Feature[];
   hand: number;
@@ -36,7 +36,7 @@ export interface SetUpState {
   relations?: Related[];
 }
 
-/** Tolerances by the codes of their results as they are spelled: in any case a job names the same. */
+/** Tolerances by their result codes in the spelling of the plan. A job may spell codes in upper or lower case. */
 export const byCode = (tolerances: Draft): Draft =>
   Object.fromEntries(
     Object.entries(tolerances).map(([code, x]) => [
@@ -45,7 +45,7 @@ export const byCode = (tolerances: Draft): Draft =>
     ]),
   );
 
-/** Entries with a name in front of their keys, and those that have it, without it. */
+/** Entries with a name as a prefix of their keys, and entries that have it, without the prefix. */
 const prefixed = (name: string, of: Draft = {}) =>
   Object.entries(of).map(([key, x]) => [`${name}.${key}`, x] as const);
 const ofName = (name: string, all: Draft): Draft => {
@@ -61,7 +61,7 @@ const same = (one: string, other: string) =>
 /** Name of the cycle or relation in a path: `BORE` for `BORE.diameter`. */
 export const head = (of: string) => of.split(".")[0] ?? of;
 
-/** A cycle whose place, rotation and sizes may follow results of another one, by its new name. */
+/** A cycle whose position, rotation and sizes may follow results of another one, with the new name of that one. */
 function following(cycle: Draft, from: string, to: string): Draft {
   const renamed = (x: unknown): unknown => {
     if (Array.isArray(x))
@@ -75,7 +75,7 @@ function following(cycle: Draft, from: string, to: string): Draft {
   );
 }
 
-/** A relation of whatever was read: what is wrong with it is left to the check. */
+/** Reads a relation from any value. The check reports its errors. */
 function asRelation(given: unknown): Related {
   const { name, type, of, tolerances } = isObject(given) ? given : {};
   const listed = Array.isArray(of) ? of.map(String) : [];
@@ -94,20 +94,20 @@ const MOST_NAME = 12;
 export class CycleList {
   /** All cycles in their order; empty for a job of one cycle. */
   all: Feature[] = [];
-  /** Index of the one in the form. */
+  /** Index of the active cycle. */
   hand = 0;
-  /** Height between the cycles; null is as high as the highest begins and ends. */
+  /** Height of the clearance plane between the cycles; null is the highest start or end of a cycle. */
   clear: number | null = null;
-  /** What is written into which axis, where the job says it. */
+  /** Source of each axis of the work offset, where the job specifies one. */
   datum: Draft = {};
-  /** What is computed of results. */
+  /** Relations between results. */
   relations: Related[] = [];
 
   get several(): boolean {
     return this.all.length > 0;
   }
 
-  /** The job of a form: of one cycle the form itself. */
+  /** The job of a form: the form itself if the job has one cycle. */
   compose(form: Draft): Draft {
     if (!this.several) return form;
     const { cycle, part, format: _, tolerances: __, ...rest } = form;
@@ -143,7 +143,7 @@ export class CycleList {
     };
   }
 
-  /** The relations of what is in the program: those of a cycle that is left out are left out with it. */
+  /** Relations in the program. A relation of an excluded cycle is excluded too. */
   inProgram(): Related[] {
     const out = new Set(
       this.all.filter(({ off }) => off).map(({ name }) => name.toLowerCase()),
@@ -155,7 +155,7 @@ export class CycleList {
     });
   }
 
-  /** The names, in small letters, of these cycles and of the relations that can be computed of them. */
+  /** Lower-case names of these cycles and of the relations that can be computed from them. */
   knownBefore(cycles: string[]): Set<string> {
     const known = new Set(cycles.map((name) => name.toLowerCase()));
     for (const { name, of } of this.relations)
@@ -164,7 +164,7 @@ export class CycleList {
     return known;
   }
 
-  /** All of them, the one in hand as the form has it. */
+  /** All cycles; the active one as the form has it. */
   inOrder({ cycle, part, tolerances }: Draft): Feature[] {
     const sizes = ((part as Draft | undefined)?.sizes ?? {}) as Draft;
     const own = {
@@ -185,7 +185,7 @@ export class CycleList {
     return all.findLast((cycle) => cycle.type === type);
   }
 
-  /** Takes a job of several cycles, and gives the form of the first of them. */
+  /** Loads a job with several cycles and returns the form of the first one. */
   take(job: Draft, catalog: Catalog): Draft {
     const { cycles, clear, datum, part, relations, tolerances, ...rest } = job;
     const given = isObject(part) && isObject(part.sizes) ? part.sizes : {};
@@ -200,7 +200,7 @@ export class CycleList {
         typeof name === "string" ? name : this.free(own, -1, names);
       const sizes = ofName(called, given);
       const named = typeof name === "string";
-      // A job may leave out the name of its only cycle.
+      // A job may omit the name of its only cycle.
       const bare = Object.entries(limits).filter(
         ([key]) => !same(key.slice(0, called.length + 1), `${called}.`),
       );
@@ -241,7 +241,7 @@ export class CycleList {
     return form;
   }
 
-  /** A name for a cycle that no other has. */
+  /** A unique name for a cycle. */
   free(cycle: Draft, but = -1, names: string[] = []): string {
     const stem =
       (jobName({ cycle: { type: cycle.type } }).split("-")[0] ?? "").replace(
@@ -261,7 +261,7 @@ export class CycleList {
     }
   }
 
-  /** Adds a cycle behind the one in hand. */
+  /** Adds a cycle after the active one. */
   add(
     form: Draft,
     cycle: Draft,
@@ -292,12 +292,12 @@ export class CycleList {
     });
   }
 
-  /** Keeps what the form has of the one in hand. */
+  /** Saves the active cycle from the form. */
   storeActive(form: Draft): void {
     this.all = this.inOrder(form);
   }
 
-  /** Puts another one into the form. */
+  /** Makes another cycle active. */
   activate(form: Draft, index: number): void {
     this.storeActive(form);
     const next = this.all[index];
@@ -308,7 +308,7 @@ export class CycleList {
     form.tolerances = next.tolerances;
   }
 
-  /** Takes one out. What was written from it is proposed anew. */
+  /** Removes a cycle. An axis that was written from it returns to the proposed source. */
   remove(form: Draft, index: number): void {
     const gone = this.all[index];
     if (!gone) return;
@@ -317,14 +317,14 @@ export class CycleList {
     this.all.splice(index, 1);
     if (index < this.hand) this.hand--;
     this.refer(gone.name, null);
-    // One stays in the program.
+    // At least one cycle stays in the program.
     const left = this.all[this.hand];
     if (left && this.all.every(({ off }) => off))
       this.all[this.hand] = { ...left, off: false };
     if (this.all.length < 2) this.alone();
   }
 
-  /** Moves one to another place in the order. */
+  /** Moves a cycle to another position in the order. */
   move(form: Draft, from: number, to: number): void {
     this.storeActive(form);
     const inHand = this.all[this.hand];
@@ -333,7 +333,7 @@ export class CycleList {
     this.hand = this.all.indexOf(inHand as Feature);
   }
 
-  /** Another name, and whatever is written from it or follows it. */
+  /** Renames a cycle with every reference to it. */
   rename(form: Draft, index: number, name: string, named: boolean): void {
     this.storeActive(form);
     const one = this.all[index];
@@ -343,7 +343,7 @@ export class CycleList {
     form.cycle = this.all[this.hand]?.cycle ?? form.cycle;
   }
 
-  /** The cycle in hand measures something else now: its name follows, unless the user has named it. */
+  /** Updates the name of the active cycle after its type has changed, unless the user has named it. */
   called(form: Draft): void {
     const one = this.all[this.hand];
     if (one && !one.named)
@@ -355,7 +355,7 @@ export class CycleList {
       );
   }
 
-  /** Adds a relation of these. */
+  /** Adds a relation between these results. */
   relate(type: Related["type"], of: string[]): void {
     const taken = [...this.all, ...this.relations].map(({ name }) =>
       name.toLowerCase(),
@@ -368,7 +368,7 @@ export class CycleList {
     ];
   }
 
-  /** Changes a relation; what refers to it by its name goes with it. */
+  /** Changes a relation. References to its name change with it. */
   changeRelation(index: number, change: Partial<Related>): void {
     const one = this.relations[index];
     if (!one) return;
@@ -378,7 +378,7 @@ export class CycleList {
     if (change.name !== undefined) this.refer(one.name, change.name);
   }
 
-  /** Takes a relation out, and those that are of it. */
+  /** Removes a relation and the relations that use it. */
   unrelate(index: number): void {
     const gone = this.relations[index];
     this.relations = this.relations.filter((_, i) => i !== index);
@@ -403,7 +403,7 @@ export class CycleList {
         of: one.of.map((of) => (is(of) ? `${to}${of.slice(from.length)}` : of)),
       }));
     for (const { name } of dropped) this.refer(name, null);
-    // What follows a cycle that is gone is left to the check: only the user knows where it should be.
+    // A field that follows a removed cycle is left to the check: only the user knows its value.
     if (to !== null)
       this.all = this.all.map((one) => ({
         ...one,
@@ -423,7 +423,7 @@ export class CycleList {
     }
   }
 
-  /** All of them in other units; the one in hand is converted with the form. */
+  /** Converts all cycles to other units. The active one is converted with the form. */
   convert(from: "mm" | "inch", to: "mm" | "inch"): void {
     this.all = this.all.map((one, i) => {
       if (i === this.hand) return one;
@@ -445,19 +445,19 @@ export class CycleList {
         ) / 1e6;
   }
 
-  /** The place among all of a cycle of the job, which has none that is left out. */
+  /** Index among all cycles of a cycle of the job, which omits excluded ones. */
   placeOf(cycle: number): number {
     let left = cycle;
     return this.all.findIndex(({ off }) => !off && left-- === 0);
   }
 
-  /** The place in the job of the one in hand; behind all of them where it is left out. */
+  /** Index of the active cycle in the job; after all cycles if it is excluded. */
   get inJob(): number {
     if (this.all[this.hand]?.off) return this.all.length;
     return this.all.slice(0, this.hand).filter(({ off }) => !off).length;
   }
 
-  /** A path of the job as the form has it: of the one in hand that of a job of one cycle. */
+  /** A path of the job as a path of the form. For the active cycle it is the path in a job of one cycle. */
   toFormPath(path: string): string {
     const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(path) ?? [];
     if (index !== undefined)
@@ -472,7 +472,7 @@ export class CycleList {
     return path;
   }
 
-  /** One cycle is left: a job of one cycle. */
+  /** Turns the set-up into a job with one cycle when only one is left. */
   alone(): void {
     this.restoreSnapshot({
       all: [],
@@ -495,7 +495,7 @@ export class CycleList {
     datum,
     relations = [],
   }: SetUpState): void {
-    // What was kept before there were tolerances has none.
+    // A state that was stored by an earlier version has no tolerances.
     const whole = all.map((one) => ({
       ...one,
       tolerances: one.tolerances ?? {},
@@ -509,7 +509,7 @@ export class CycleList {
     });
   }
 
-  /** Whether something kept is a list of cycles; the job that they make is checked beside. */
+  /** Whether a stored value is a list of cycles. The job that they form is checked separately. */
   static fits(state: unknown): state is SetUpState {
     if (!isObject(state) || !Array.isArray(state.all) || !isObject(state.datum))
       return false;

@@ -25,25 +25,25 @@ export interface SavedCycle {
   units: Units;
   cycle: Draft;
   points: Points;
-  /** How much larger the sizes of the virtual part are. */
+  /** Size deviations of the virtual part. */
   sizes?: Draft;
   /** The tolerances of its results. */
   tolerances?: Draft;
 }
 
-/** Measured points as text, by the units they were typed in: read in other units they would be other points. */
+/** Measured points as text, by the units they were typed in. In other units the same text would mean other points. */
 export type Points = Record<Units, string>;
 export const noPoints = (): Points => ({ mm: "", inch: "" });
 
-/** Why nothing was changed: the job can only be looked at. */
+/** Message for a change that is refused because the job is read-only. */
 export const LOOK_ONLY: Message = [
   w("Nothing was changed: this job is read-only"),
 ];
 
-/** The field of how far a measured size may be from the nominal one. */
+/** Path of the limit for the deviation of a measured size. */
 const SIZE_LIMIT = "limits.size";
 
-/** Everything that a user can change, at a moment. */
+/** Everything that a user can change, at one moment. */
 interface Snapshot {
   draft: Draft;
   typed: [string, string][];
@@ -54,24 +54,24 @@ interface Snapshot {
   features: SetUpState;
 }
 
-/** The job in the form. Every change of it comes through here. */
+/** The job in the form. Every change goes through this class. */
 export abstract class Document extends Output {
   /** The job in the form, errors included. */
   draft!: Draft;
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
-  /** The points that a machine measured for this job. */
+  /** Measured points of this job. */
   protected points = noPoints();
-  /** Whether the host page gave them: the user's undo keeps them then. */
+  /** Whether the host page set them. The user's undo then leaves them as they are. */
   protected pointsGiven = false;
-  /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
+  /** Paths with a value that was set; the other fields still have their defaults. Null for a job that was loaded whole. */
   protected editedPaths: Set<string> | null = new Set();
   /** State of the cycles that were left, restored when the user chooses one again. */
   protected left = new Map<string, SavedCycle>();
   protected readonly history = new History<Snapshot>();
   /** Whether the size limit follows from the tolerances of the next plan. */
   private limitFollows = false;
-  /** Whether the user can change the job. What is put in from outside is taken all the same. */
+  /** Whether the user cannot change the job. The host page still can. */
   protected readOnly = false;
   /** Whether the current change is by the host page. */
   protected host = false;
@@ -79,9 +79,9 @@ export abstract class Document extends Output {
   protected automaticName: string | null = null;
   /** The number of documents so far. */
   protected documents = 0;
-  /** The control that had a work offset which the present one has not: with another control it comes back. */
+  /** Control settings with a work offset that the current control does not have. It returns with a control that has it. */
   protected controlWithOffset: Draft | null = null;
-  /** The control that the job was for before this one. */
+  /** Control settings of the job before this one. */
   protected beforeControl: Draft | null = null;
 
   /** The rules of the host page. */
@@ -89,12 +89,12 @@ export abstract class Document extends Output {
     return this.outside.rules;
   }
 
-  /** The whole job: of one cycle the form itself, of a set-up all of its cycles. */
+  /** The whole job: the form itself for one cycle, all cycles for a set-up. */
   get job(): Draft {
     return this.features.compose(this.draft);
   }
 
-  /** Whether the job can only be looked at. */
+  /** Whether the user cannot change the job. */
   get readonly(): boolean {
     return this.readOnly;
   }
@@ -126,7 +126,7 @@ export abstract class Document extends Output {
     }
   }
 
-  /** Whether a change is the user's and the job is not to be changed. */
+  /** Whether a change is the user's and the job is read-only. */
   protected get refuses(): boolean {
     return this.readOnly && this.userChange;
   }
@@ -136,7 +136,7 @@ export abstract class Document extends Output {
   }
 
   set measured(text: string) {
-    // What the host page sets is not a step of the user's.
+    // A change by the host page is no undo step.
     if (this.userChange) this.mark("measured");
     this.pointsGiven = !this.userChange;
     this.points = { ...this.points, [this.units]: text };
@@ -144,20 +144,20 @@ export abstract class Document extends Output {
     this.dispatchEvent(new Event("change"));
   }
 
-  /** The points of a log that was opened. */
+  /** Loads the points of an opened log. */
   openPoints(text: string): void {
     this.settle();
     this.measured = text;
     this.settle();
   }
 
-  /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
+  /** Sets a value; every keystroke ends here. Changes of one path are one undo step until `settle`. */
   set(path: string, value: unknown, typed?: string): void {
     const fixed = this.fixed();
     if (this.refuses || fixed.has(path)) return;
     this.mark(path);
     this.editedPaths?.add(path.replace(/\[\d\]$/, ""));
-    // What the user chooses now holds, also that none is written.
+    // The user's choice replaces the remembered work offset, also if it is "none".
     if (path === "control.workOffset") this.controlWithOffset = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
@@ -167,7 +167,7 @@ export abstract class Document extends Output {
     if (typeof value === "number") this.untolerate(path);
     if (path === SIZE_LIMIT) this.limitFollows = false;
     fixed.keep(this.draft);
-    // What was typed inside a value that is another one now.
+    // Text that was typed inside a value that has been replaced.
     if (typeof value === "object")
       for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
@@ -253,7 +253,7 @@ export abstract class Document extends Output {
     this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }
 
-  /** Takes a key out of the job. */
+  /** Removes a key from the job. */
   drop(path: string): void {
     if (this.refuses) return;
     this.mark(null);
@@ -277,7 +277,7 @@ export abstract class Document extends Output {
     if (this.refuses) return;
     if (units === this.draft.units) return;
     this.mark(null);
-    // Numbers in units that are none cannot be converted: they stay, and now have units.
+    // Values without valid units cannot be converted: they keep their numbers and get the new units.
     const known = this.draft.units === "mm" || this.draft.units === "inch";
     const old = this.draft;
     const untouched = known ? this.untouched() : [];
@@ -401,14 +401,14 @@ export abstract class Document extends Output {
     this.automaticName = name;
   }
 
-  /** The default job of a cycle in the job's units, with what the rules of the host page say of it. */
+  /** The default job of a cycle in the job's units, filled in by the rules of the host page. */
   protected freshOf(type: Cycle["type"]): Draft {
     return this.rules.laid(
       structuredClone(defaultJob(type, this.units)) as unknown as Draft,
     );
   }
 
-  /** Takes a whole job, one that fits the form. `given`: the paths that were given a value. */
+  /** Loads a whole job that fits the form. `given`: the paths that were set. */
   load(job: Draft, measured = "", given: Set<string> | null = null): void {
     if (this.refuses) return;
     const fixed = this.fixed(true);
@@ -434,7 +434,7 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** The form of a job: of a set-up that of its first cycle, and the others wait. */
+  /** The form of a job. For a set-up it is that of the first cycle; the list keeps the others. */
   protected formOf(job: Draft): Draft {
     const several = Array.isArray(job.cycles);
     const { tolerances } = job;
@@ -459,7 +459,7 @@ export abstract class Document extends Output {
     this.clear();
   }
 
-  /** Takes the job of a link. Throws `JobError`, and changes nothing, where it cannot be shown. */
+  /** Loads the job of a link. Throws `JobError` and changes nothing if the form cannot show it. */
   take(job: unknown, measured: string): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     const problem = this.unusable(job);
@@ -473,7 +473,7 @@ export abstract class Document extends Output {
     this.load(job as Draft, measured);
   }
 
-  /** Takes the job of a text that was read. Throws `JobError`, and changes nothing, if the text holds no job, or one that the form cannot show. */
+  /** Loads the job of a text that was read. Throws `JobError` and changes nothing if the text has no job or the form cannot show it. */
   open({ imported, findings }: Reading): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
@@ -491,6 +491,6 @@ export abstract class Document extends Output {
     );
   }
 
-  /** Stores the state in this browser, where it is to be stored. */
+  /** Stores the state in this browser, if it is stored at all. */
   protected abstract keep(): void;
 }

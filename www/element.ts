@@ -1,4 +1,4 @@
-// The elements. This file is small and loads the rest, with the WebAssembly module beside it, when the first element is put into a document.
+// Defines the elements. This file is small: it loads the rest and the WebAssembly module when the first element enters a document.
 import type { TouchPathEvents } from "./element/events.js";
 import { TouchForm, TouchPicture, TouchProgram } from "./element/touch-part.js";
 import { TouchPath } from "./element/touch-path.js";
@@ -23,7 +23,7 @@ declare global {
   interface HTMLElementEventMap extends TouchPathEvents {}
 }
 
-// Where another version of this file was first, its elements stay: this one can be had by another name.
+// If another version has defined the elements, they stay. This version can be defined under another name.
 if (globalThis.customElements) {
   if (!customElements.get("touch-path"))
     customElements.define("touch-path", TouchPath);
@@ -36,13 +36,13 @@ if (globalThis.customElements) {
 }
 
 /**
- * Gives the whole element of this version a name of its own, for a page that holds another version as `touch-path`. Its panels elsewhere on the page are those
- * of `<touch-form>`, `<touch-picture>` and `<touch-program>`, whichever version these are of. Throws where the name is taken or not valid for an element; does
- * nothing where there is no document.
+ * Defines the element of this version under another name, for a page that holds another version as `touch-path`. Panels elsewhere on the page are elements
+ * `<touch-form>`, `<touch-picture>` and `<touch-program>` of either version. Throws if the name is taken or is no valid element name. Does nothing without a
+ * document.
  */
 export function define(name: string): void {
   if (!globalThis.customElements) return;
-  // A second copy of one version shares what the first has defined inside.
+  // A second copy of the same version uses the classes that the first has defined.
   const known = customElements.get("touch-path") as
     | typeof TouchPath
     | undefined;

@@ -1,4 +1,4 @@
-// What the catalog knows of the job in the form: its cycle, its control, its fields.
+// Looks up the cycle, control and fields of the job in the catalog.
 import {
   type CycleEntry,
   type FieldEntry,
@@ -13,7 +13,7 @@ import type { Rules } from "./rules.js";
 import { w } from "./words.js";
 
 export type Units = "mm" | "inch";
-/** Whether a program moves itself, or calls a cycle of the control. */
+/** Program form: moves, or calls of a native cycle. */
 export type Form = PostEntry["cycles"][number]["form"];
 
 /** Looks up the job's own entries of the catalog. */
@@ -43,7 +43,7 @@ export abstract class CatalogView extends Phrases {
     return valueAt(this.draft, path);
   }
 
-  /** The entry of the control that the form has. */
+  /** The catalog entry of the control in the form. */
   get post(): PostEntry | undefined {
     return this.postOf(this.get("control.post"));
   }
@@ -53,7 +53,7 @@ export abstract class CatalogView extends Phrases {
     return this.catalog.posts.find((post) => post.id === id);
   }
 
-  /** The forms in which a control takes a cycle; none if it does not. */
+  /** Forms in which a control supports a cycle; empty if it does not. */
   formsOf(post: unknown, type: string): Form[] {
     const takes =
       this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ??
@@ -71,18 +71,18 @@ export abstract class CatalogView extends Phrases {
     return forms.some((c) => c.ownPreset);
   }
 
-  /** What a control calls the work offset of a number. */
+  /** A control's word for the work offset with this number. */
   protected offsetWord(post: unknown, number: unknown): string | undefined {
     return typeof number === "number"
       ? this.postOf(post)?.workOffsetWords[number - 1]
       : undefined;
   }
 
-  /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
+  /** Control settings of the job for another control. They keep a form that it supports, and a work offset that has the same word there. */
   controlOf(post: unknown, form?: Form, from = this.draft): Draft {
     const control = { ...(from.control as Draft) };
     const forms = this.formsOf(post, this.cycle.type);
-    // A form that was the only one of its control was not chosen: cycles of another control's own may not be there.
+    // A form that was the only one of its control was not a choice. It does not select native cycles on another control.
     const chosen = this.formsOf(control.post, this.cycle.type).length > 1;
     if (form) control.form = form;
     else if (
@@ -93,7 +93,7 @@ export abstract class CatalogView extends Phrases {
     return { ...control, workOffset: this.offsetOn(post, control), post };
   }
 
-  /** The work offset that a job for one control has on another: the one of the same name, else none. */
+  /** Work offset on another control: the one with the same word, else none. */
   protected offsetOn(
     post: unknown,
     control = this.draft.control as Draft,
@@ -102,7 +102,7 @@ export abstract class CatalogView extends Phrases {
     const { workOffset } = control;
     const word = this.offsetWord(control.post, workOffset);
     const words = this.postOf(post)?.workOffsetWords;
-    // A number that no word is known for is the user's to put right.
+    // A number without a word is left for the user to correct.
     if (!words || word === undefined || control.post === post)
       return workOffset;
     return words.indexOf(word) + 1 || this.rules.offset;
@@ -129,7 +129,7 @@ export abstract class CatalogView extends Phrases {
     return section?.fields.find((f) => f.key === key);
   }
 
-  /** Whether a field changes anything in this job: its variant of the cycle and its control use it. */
+  /** Whether a field has an effect in this job: the variant of its cycle and its control use it. */
   counts(path: string, field: FieldEntry): boolean {
     const key = /^control\.(\w+)$/.exec(path)?.[1];
     if (key !== undefined && this.post?.unused.includes(key)) return false;
@@ -139,12 +139,12 @@ export abstract class CatalogView extends Phrases {
     );
   }
 
-  /** What a field of a new job begins with, in the job's units: in inch a number that people type. */
+  /** Initial value of a field in a new job, in the job's units. In inch it is a round number. */
   initialValue(field: FieldEntry, units = this.units): unknown {
     return units === "inch" ? field.defaultInch : field.default;
   }
 
-  /** Whether a field holds what a job has without it, be it a new one or one whose units were converted. */
+  /** Whether a field has its initial value, also after a conversion of units. */
   isUsual(path: string, field: FieldEntry): boolean {
     const value = this.get(path) ?? null;
     return (
@@ -153,7 +153,7 @@ export abstract class CatalogView extends Phrases {
     );
   }
 
-  /** Why the job's cycle has no program on a control; null where it has one. */
+  /** Reason why the control has no program for the job's cycle; null if it has one. */
   whyNot(post: unknown): string | null {
     const forms =
       this.postOf(post)?.cycles.filter((c) => c.type === this.cycle.type) ?? [];
@@ -164,7 +164,7 @@ export abstract class CatalogView extends Phrases {
     );
   }
 
-  /** Every field of the job's form that is converted with its units, by its path. */
+  /** Every field of the form that is converted with the units, with its path. */
   protected *metric(): Generator<[string, FieldEntry]> {
     const { cycle, catalog } = this;
     const sections = [
@@ -181,7 +181,7 @@ export abstract class CatalogView extends Phrases {
           yield [path === "" ? field.key : `${path}.${field.key}`, field];
   }
 
-  /** What a field holds where the job says nothing, in the job's units. */
+  /** Value of a field that the job omits, in the job's units. */
   defaultValue(field: FieldEntry): unknown {
     const metric = isMetric(field.unit);
     const scaled = (x: number) =>
@@ -193,11 +193,11 @@ export abstract class CatalogView extends Phrases {
   }
 }
 
-/** Whether values of this unit are converted with the units of the job. */
+/** Whether values with this unit are converted with the units of the job. */
 export const isMetric = (unit: FieldEntry["unit"]) =>
   unit === "length" || unit === "feed" || unit === "acceleration";
 
-/** How much a size of the virtual part differs. */
+/** The field for the deviation of a size of the virtual part. */
 export function sizeField(
   field: FieldEntry | undefined,
   words: Words,

@@ -1,10 +1,10 @@
-// What the module says of the jobs that a first visit begins with, in mm and in inch: made by the module itself when the page is built.
+// Answers of the module for the first job in mm and in inch. The build of the page asks the module for them.
 import baked from "virtual:first-answers";
 import { coded, same } from "./core/coded.js";
 import type { Raw, Sink } from "./core/instance.js";
 import type { Packed } from "./core/unpacked.js";
 
-/** What is known of a job. */
+/** Answers for one job. */
 export interface Known {
   job: unknown;
   name: string;
@@ -15,7 +15,7 @@ export interface Known {
   meanings: Packed;
 }
 
-/** What is known before the module is there. */
+/** Answers that exist before the module is loaded. */
 export interface Answers {
   type: string;
   version: string;
@@ -25,7 +25,7 @@ export interface Answers {
   inch: Known;
 }
 
-/** Answers in the place of the module. Of any other job it knows nothing, and throws: none is asked for until the module is there. */
+/** Stands in for the module until it is loaded. Throws for any other job; the page asks for none before then. */
 export function answers(): Raw {
   const jobs = [baked.mm, baked.inch].map((known) => ({
     known,

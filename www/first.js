@@ -1,12 +1,13 @@
-// Where nothing is kept and the address says no job, the page begins with the job whose picture stands in it already: it is seen until the page draws by itself.
+// If nothing is stored and the address holds no job, the page starts with a job whose picture is part of its markup. The picture stays until the page draws its
+// own.
 (() => {
   try {
     if (location.hash || location.search || sessionStorage.getItem("touchpath.tab.1")) return;
     if (localStorage.getItem("touchpath.job.1")) return;
   } catch {
-    // No storage: the first job it is.
+    // No storage: start with the first job.
   }
-  // What the module says of it is needed at once.
+  // The answers for it are needed immediately.
   const answers = document.createElement("link");
   answers.rel = "modulepreload";
   answers.href = "./first-answers.js";

@@ -1,4 +1,4 @@
-// The fields of a job that the user cannot change, since the host page fixes them.
+// Fields of a job that the host page has locked.
 import { type Draft, isObject, putAt, valueAt } from "./job.js";
 
 const typeOf = (job: Draft) => (job.cycle as Draft | undefined)?.type;
@@ -7,7 +7,7 @@ export class LockedFields {
   private readonly lockedValues: Map<string, unknown>;
   private readonly type: unknown;
 
-  /** Keeps what a job has at these paths. */
+  /** Stores the values at these paths of a job. */
   constructor(job: Draft, paths: string[]) {
     this.type = typeOf(job);
     const there = paths.filter((path) => valueAt(job, path) !== undefined);
@@ -16,12 +16,12 @@ export class LockedFields {
     );
   }
 
-  /** Whether a field is one of them; of a point, also each of its coordinates. */
+  /** Whether a field is locked; for a point, also each of its coordinates. */
   has(path: string): boolean {
     return this.lockedValues.has(path.replace(/\[\d\]$/, ""));
   }
 
-  /** Puts the values back into a job that was changed around them. A field of another cycle is another field. */
+  /** Restores the locked values in a job that was changed. A field of another cycle is not the same field. */
   keep(job: Draft): void {
     for (const [path, value] of this.lockedValues) {
       const section = path.slice(0, Math.max(path.lastIndexOf("."), 0));

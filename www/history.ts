@@ -1,15 +1,15 @@
-// The steps that can be taken back, and made again.
+// Undo and redo.
 
-/** So many steps can be taken back. */
+/** Maximum number of undo steps. */
 const MOST_STEPS = 200;
 
 export class History<Moment> {
   private past: Moment[] = [];
   private future: Moment[] = [];
-  /** What the last change was of: further changes of the same belong to the same step. */
+  /** Subject of the last change. Further changes of the same subject join its step. */
   private changing: string | null = null;
 
-  /** Before a change: its path decides whether it is a step of its own. */
+  /** Call before a change. A path other than the last one begins a new step. */
   mark(changing: string | null, now: () => Moment): void {
     if (changing !== null && changing === this.changing) return;
     this.past.push(now());
@@ -18,12 +18,12 @@ export class History<Moment> {
     this.changing = changing;
   }
 
-  /** Whether what is changed next is a step of its own. */
+  /** Whether the next change begins a new step. */
   get settled(): boolean {
     return this.changing === null;
   }
 
-  /** What is changed next is a step of its own. */
+  /** Ends the current step. */
   settle(): void {
     this.changing = null;
   }
@@ -43,12 +43,12 @@ export class History<Moment> {
     return this.future.length > 0;
   }
 
-  /** The moment before the last step; none if there is no step. */
+  /** State before the last step; `undefined` without one. */
   undo(now: () => Moment): Moment | undefined {
     return this.turn(this.past, this.future, now);
   }
 
-  /** The moment after the step that was taken back last. */
+  /** State after the step that was undone last. */
   redo(now: () => Moment): Moment | undefined {
     return this.turn(this.future, this.past, now);
   }

@@ -1,4 +1,4 @@
-// What the host page puts in and asks for, and which jobs were sent to it.
+// Inputs and requests of the host page, and the jobs that were sent to it.
 import {
   type Config,
   type Cycle,
@@ -20,7 +20,7 @@ const ECHO = 1000;
 export type Input = "job" | "cycle" | "post" | "units" | "config" | "measured";
 type Setting = "lang" | "readonly";
 
-/** What the host page asks for. It holds for every job that does not name its own. */
+/** Requests of the host page. They hold for every job that does not specify its own control or units. */
 export interface HostRequest {
   cycle?: Cycle["type"];
   post?: string;
@@ -45,7 +45,7 @@ function refused(input: string, code: FindingCode, ...said: Message): Finding {
   };
 }
 
-/** A job without its control, with all else that it says of it. */
+/** A job without its control; everything else stays. */
 function withoutControl(job: Draft): Draft {
   const control: Draft = { ...(job.control as Draft) };
   delete control.post;
@@ -53,7 +53,7 @@ function withoutControl(job: Draft): Draft {
   return { ...job, control };
 }
 
-/** What it asks of the store. */
+/** What this class needs of the store. */
 interface Jobs extends CatalogView {
   asHost<T>(change: () => T): T;
   readonly revision: number;
@@ -71,17 +71,17 @@ interface Jobs extends CatalogView {
 }
 
 export class HostInputs {
-  /** The jobs that were sent by `job-change`, and when. */
+  /** Jobs sent by `job-change`, with their times. */
   private sentJobs: { json: string; at: number }[] = [];
   private asked: HostRequest = {};
   /** The rules of the host page. */
   rules = new Rules();
-  /** The job that the host page gave last, as it gave it, and what became of it. */
+  /** The last job of the host page as it was given, and the job made from it. */
   private given: { job: Draft; whole: Draft } | null = null;
 
   constructor(private readonly store: Jobs) {}
 
-  /** A job was sent by `job-change`; the host may return it. */
+  /** Notes a job that was sent by `job-change`; the host may return it. */
   sent(json: string): void {
     this.sentJobs = [
       ...this.sentJobs.slice(-49),
@@ -89,17 +89,17 @@ export class HostInputs {
     ];
   }
 
-  /** What comes now is no answer to a job that was sent: a form is put back. */
+  /** Forgets the sent jobs: the next input replaces the form. */
   forget(): void {
     this.sentJobs = [];
   }
 
-  /** The control that the host page asks for. */
+  /** The control that the host page requests. */
   get post(): string | undefined {
     return this.asked.post;
   }
 
-  /** A job with what the host page asks for, and what its rules say, in the place of what it does not name. What is no object stays what it is. */
+  /** A job with the requests and rules of the host page for values that it omits. A value that is no object stays as it is. */
   filled(job: unknown, asked: HostRequest = this.asked): unknown {
     const whole = this.named(job, asked);
     return isObject(whole) ? this.rules.filled(whole) : whole;
@@ -125,7 +125,7 @@ export class HostInputs {
     return whole;
   }
 
-  /** The default job of a cycle, for the control and in the units that the host page asks for. */
+  /** The default job of a cycle for the control and units that the host page requests. */
   fresh(type: Cycle["type"]): Draft {
     const { post, units } = this.asked;
     const job = structuredClone(
@@ -138,7 +138,7 @@ export class HostInputs {
     return this.rules.laid(named, post !== undefined);
   }
 
-  /** The job of a text. A dump names no control: the one in its job is a default, which gives way to the one that is asked for. */
+  /** The job of a text. A dump specifies no control: its default gives way to the requested one. */
   ofText(job: Draft, findings: Finding[]): Draft {
     return this.asked.post &&
       findings.some(({ code }) => code === "not-in-dump")
@@ -146,7 +146,7 @@ export class HostInputs {
       : job;
   }
 
-  /** Warnings where the job names another control, or other units, than the host page asks for. */
+  /** Warnings if the job specifies another control or other units than the host page requests. */
   differences(): Finding[] {
     const { asked, store } = this;
     const found: Finding[] = [];
@@ -181,7 +181,7 @@ export class HostInputs {
     return found;
   }
 
-  /** The faults for which a config is refused. */
+  /** Errors that refuse a config. */
   private faults(value: unknown): Finding[] {
     const config = configOf(value);
     if (config === undefined)
@@ -206,7 +206,7 @@ export class HostInputs {
     }));
   }
 
-  /** Everything for which an input or a setting cannot be taken. */
+  /** All reasons why inputs cannot be applied. */
   refusals(
     input: Input | Setting,
     value: unknown,
@@ -217,7 +217,7 @@ export class HostInputs {
     return refusal ? [refusal] : [];
   }
 
-  /** Why an input or a setting cannot be taken; null where it can. Nothing is changed. `asked`: what else is asked for at the same time. */
+  /** Reason why one input cannot be applied; null if it can. Changes nothing. `asked`: the other requests made at the same time. */
   private refusal(
     input: Exclude<Input, "config"> | Setting,
     value: unknown,
@@ -275,7 +275,7 @@ export class HostInputs {
     }
   }
 
-  /** That a word is none of those that are known; `several`: some of them may be given. */
+  /** Message for an unknown word. `several`: more than one word may be given. */
   unknown(input: string, known: readonly string[], several = false): Finding {
     const template = several
       ? w("Nothing was changed: {input} must be some of {known}")
@@ -283,7 +283,7 @@ export class HostInputs {
     return refused(input, "unknown-value", template, input, known.join(", "));
   }
 
-  /** Takes a job, a cycle, a control, units or a config. What cannot be taken changes nothing: why, as findings. */
+  /** Applies a job, cycle, control, units or config. An input with errors changes nothing; returns its findings. */
   input(input: Input, value: unknown): Finding[] {
     return this.store.asHost(() => this.put(input, value));
   }
@@ -311,7 +311,7 @@ export class HostInputs {
           ...store.controlOf(value),
           workOffset: store.get("control.workOffset"),
         });
-      // What is asked for may be what the job has already.
+      // The job may have the requested values already.
       if (store.revision === revision) store.reconsider();
       return [];
     } catch {
@@ -326,7 +326,7 @@ export class HostInputs {
     }
   }
 
-  /** Takes other rules. They fill in the portal's job if the user has not changed it, else the fields that still have their defaults. */
+  /** Applies other rules. They fill in the portal's job if the user has not changed it, else only fields with their defaults. */
   private configure(config: Config | null): void {
     const { store, given } = this;
     this.rules = new Rules(config);
@@ -345,7 +345,7 @@ export class HostInputs {
     }
   }
 
-  /** The host page asks for none any more; the job stays as it is. */
+  /** Withdraws a request of the host page. The job stays as it is. */
   release(input: keyof HostRequest | "config"): void {
     if (input === "config") {
       if (!this.rules.config) return;
@@ -359,7 +359,7 @@ export class HostInputs {
     this.store.asHost(() => this.store.reconsider());
   }
 
-  /** A job as the host gives it, with what is asked for, or why it cannot be shown. */
+  /** Reads a job of the host with its requests, or reports why it cannot be shown. */
   private read(
     value: unknown,
     asked: HostRequest = {},
@@ -383,7 +383,7 @@ export class HostInputs {
         };
       }
     }
-    // What has no JSON, as a BigInt or an object inside itself, no form could send: it throws.
+    // Throws for a value without JSON, such as a BigInt or a circular object.
     JSON.stringify(job);
     const own = job as Draft;
     job = this.filled(job, { ...this.asked, ...asked });
@@ -407,7 +407,7 @@ export class HostInputs {
     const whole = Array.isArray(job.cycles)
       ? job
       : complete(job, store.catalog);
-    // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
+    // A job that the host merely returns changes nothing, even if it arrives late while the user is typing.
     const recent = this.sentJobs.filter(
       ({ at }) => performance.now() - at < ECHO,
     );
@@ -425,7 +425,7 @@ export class HostInputs {
   }
 }
 
-/** A config, which may be JSON; undefined if that cannot be parsed. */
+/** A config, as an object or as JSON; undefined if the JSON is invalid. */
 function configOf(value: unknown): unknown {
   if (typeof value !== "string") return value;
   try {

@@ -3,14 +3,14 @@ import { script } from "./offline.js";
 import address from "./reader.js?worker&url";
 import type { Answer, Task } from "./tasks.js";
 
-/** Does a task beside the page. Fails where there can be no worker, what it does breaks, or the signal aborts it. */
+/** Runs a task in a worker. Fails without worker support, if the task throws, or if the signal aborts it. */
 export function beside<T extends Task>(
   task: T,
   signal: AbortSignal,
 ): Promise<Answer<T>> {
   return new Promise((done, fail) => {
     const worker = new Worker(script(address), { type: "module" });
-    // One that does not come, over a slow network, is not waited for.
+    // Does not wait for a worker that a slow network delays.
     const late = setTimeout(
       () => end(() => fail(new Error("the worker did not come"))),
       3000,
@@ -30,7 +30,7 @@ export function beside<T extends Task>(
       } else end(() => done(data as Answer<T>));
     };
     worker.onerror = (event) => {
-      // The page itself does it once more: nothing is lost that the console should say.
+      // The page repeats the task itself, so the console needs no error.
       event.preventDefault();
       end(() => fail(new Error(event.message)));
     };

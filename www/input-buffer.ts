@@ -1,19 +1,19 @@
-// Before the module is there the page can be read, and its fields typed into: what is typed waits. All else that could be pressed does nothing until then.
+// Buffers input until the module is loaded. Fields accept text; every other control waits.
 import { letterOf } from "./parts/keys.js";
 
-/** The keys that act with Ctrl on the whole page. Those of undo are left to the field: nothing else can be undone yet. */
+/** Keys that act with Ctrl on the whole page. Undo keys stay with the field: there is nothing else to undo yet. */
 const COMMANDS = ["k", "s"];
 const UNDO = ["y", "z"];
-/** What the picture answers once there is one. */
+/** Events that the picture handles once it exists. */
 const POINTS = ["pointerdown", "pointermove", "pointerup", "wheel", "dblclick"];
 
 const isText = (target: unknown): target is HTMLInputElement =>
   target instanceof HTMLInputElement &&
   ["text", "search"].includes(target.type);
 
-/** Holds what is inside a root. Gives a function that ends it, and enters what was typed where `enter` says so. */
+/** Buffers input inside a root. Returns a function that ends this; `enter` applies the typed text. */
 export function bufferInput(root: ShadowRoot): (enter: boolean) => void {
-  /** The texts in the order in which they were typed last, and whether their fields were left. */
+  /** Texts in the order in which they were typed, and whether the user has left the field. */
   const typed = new Map<HTMLInputElement, { text: string; left: boolean }>();
   const isInside = (event: Event) => event.composedPath().includes(root);
 
@@ -23,7 +23,7 @@ export function bufferInput(root: ShadowRoot): (enter: boolean) => void {
     if (!isText(field)) return;
     typed.delete(field);
     typed.set(field, { text: field.value, left: event.type === "change" });
-    // The program is no longer that of the form.
+    // The program shown no longer belongs to the form.
     root.host.setAttribute("data-typed", "");
   };
   const press = (event: Event): void => {
@@ -31,7 +31,7 @@ export function bufferInput(root: ShadowRoot): (enter: boolean) => void {
     event.stopImmediatePropagation();
   };
   const point = (event: Event): void => event.stopImmediatePropagation();
-  /** A list would open, and its choice be lost. */
+  /** A list would open, and its choice would be lost. */
   const open = (event: Event): void => {
     if (event.composedPath()[0] instanceof HTMLSelectElement)
       event.preventDefault();
@@ -53,7 +53,7 @@ export function bufferInput(root: ShadowRoot): (enter: boolean) => void {
     [root, ["click"], press],
     [root, POINTS, point],
     [root, ["mousedown"], open],
-    // Before what the page does with keys that are pressed beside every field.
+    // Runs before the handlers of the page for keys.
     [window, ["keydown"], key],
   ];
   for (const [at, names, act] of ways)
@@ -72,7 +72,7 @@ export function bufferInput(root: ShadowRoot): (enter: boolean) => void {
     root.host.removeAttribute("data-typed");
     for (const [field, { text, left }] of enter ? typed : []) {
       if (!field.isConnected) continue;
-      // The page may have been drawn again meanwhile.
+      // The page may have been rendered again since then.
       field.value = text;
       for (const name of left ? ["input", "change"] : ["input"])
         field.dispatchEvent(new Event(name, { bubbles: true, composed: true }));

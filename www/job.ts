@@ -1,4 +1,4 @@
-// A job that comes from outside (a file, a pasted text, the browser's storage): what it leaves out.
+// Completes a job from outside: a file, a pasted text, the browser's storage.
 import {
   type Catalog,
   type Cycle,
@@ -8,15 +8,15 @@ import {
   jobName,
 } from "./core/browser.js";
 
-/** A job while it is typed: any field may hold what is not (yet) a value. */
+/** A job while it is edited. Any field may hold an invalid value. */
 export type Draft = Record<string, unknown>;
 
 export const isObject = (value: unknown): value is Draft =>
   typeof value === "object" && value !== null && !Array.isArray(value);
-/** Left out, or null: the default applies. */
+/** Whether a value is omitted or null: the default applies. */
 export const isOut = (value: unknown) => value === undefined || value === null;
 
-/** A job that fits, with every key that it leaves out at the catalog's default in its own units. */
+/** A valid job with the catalog's default for every key that it omits, in its own units. */
 export function complete(job: Draft, catalog: Catalog): Draft {
   const units = job.units === "inch" ? "inch" : "mm";
   const cycle = job.cycle as Draft;
@@ -27,7 +27,7 @@ export function complete(job: Draft, catalog: Catalog): Draft {
   for (const { path, fields } of sections)
     base[path] ??= Object.fromEntries(fields.map((f) => [f.key, f.default]));
   const fresh = convertUnits(base, units) as unknown as Draft;
-  // A fresh 1411 is for its own control; a job that names no control is for the catalog's first.
+  // A new 1411 is for its own control. A job without a control is for the first one of the catalog.
   const control =
     catalog.sections.find((s) => s.path === "control")?.fields ?? [];
   fresh.control = Object.fromEntries(
@@ -50,7 +50,7 @@ export function complete(job: Draft, catalog: Catalog): Draft {
   return structuredClone(whole);
 }
 
-/** `undefined` is "not there": the base applies. */
+/** `undefined` means omitted: the base applies. */
 function over(base: unknown, given: unknown): Draft {
   const said = isObject(given)
     ? Object.entries(given).filter(([, value]) => value !== undefined)
@@ -58,7 +58,7 @@ function over(base: unknown, given: unknown): Draft {
   return { ...(base as Draft), ...Object.fromEntries(said) };
 }
 
-/** Whether two jobs say the same, in whatever order. */
+/** Whether two jobs have the same values, in any order of keys. */
 export function alike(a: unknown, b: unknown): boolean {
   if (
     typeof a !== "object" ||
@@ -77,13 +77,13 @@ export function alike(a: unknown, b: unknown): boolean {
 /** The parts of a job that belong to one of its cycles. */
 export interface CycleParts {
   cycle: Draft;
-  /** How much larger the sizes of the virtual part are. */
+  /** Size deviations of the virtual part. */
   sizes: Draft;
-  /** The tolerances of its results, by their codes. */
+  /** Tolerances of its results, by result code. */
   tolerances: Draft;
 }
 
-/** The parts of a job that belong to a cycle, in other units. */
+/** Converts the parts of a job that belong to a cycle to other units. */
 export function convertCycleParts(
   units: "mm" | "inch",
   { cycle, sizes, tolerances }: CycleParts,
@@ -111,7 +111,7 @@ export function convertCycleParts(
 /** The keys of a path such as `cycle.origin[1]`. */
 const keysOf = (path: string) => path.split(/[.[\]]+/).filter(Boolean);
 
-/** The value at a path of a job. */
+/** The value at a path in a job. */
 export function valueAt(job: Draft, path: string): unknown {
   return keysOf(path).reduce<unknown>(
     (value, key) => (value as Draft | undefined)?.[key],
@@ -119,7 +119,7 @@ export function valueAt(job: Draft, path: string): unknown {
   );
 }
 
-/** Puts a value at a path of a job, with the objects that lead there. */
+/** Sets the value at a path in a job and creates the objects on the way. */
 export function putAt(job: Draft, path: string, value: unknown): void {
   const keys = keysOf(path);
   const last = keys.pop() as string;
@@ -131,7 +131,7 @@ export function putAt(job: Draft, path: string, value: unknown): void {
   place[last] = value;
 }
 
-/** Takes the key at a path out of a job. */
+/** Removes the key at a path from a job. */
 export function dropAt(job: Draft, path: string): void {
   const keys = keysOf(path);
   const last = keys.pop() as string;

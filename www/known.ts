@@ -1,9 +1,9 @@
-// What a user knows of an opened program beside its text, kept with the name of its file.
+// User inputs for an opened program, stored under its file name.
 import type { ProgramKnown } from "./core/browser.js";
 
 const KEY = "touchpath.programs.1";
 
-/** So many programs are remembered. */
+/** Maximum number of programs remembered. */
 const MOST = 50;
 
 type Entry = [string, ProgramKnown];
@@ -17,17 +17,17 @@ function entries(): Entry[] {
         )
       : [];
   } catch {
-    // No storage, or nothing that can be read.
+    // No storage, or its content cannot be read.
     return [];
   }
 }
 
-/** What was said of the program of a file; nothing of one without a name. */
+/** Stored inputs for the program of a file; empty without a file name. */
 export function knownOf(name: string | null): ProgramKnown {
   return (name !== null && entries().find(([of]) => of === name)?.[1]) || {};
 }
 
-/** Keeps it. */
+/** Stores them. */
 export function keepKnown(name: string | null, known: ProgramKnown): void {
   if (name === null) return;
   const rest = entries().filter(([of]) => of !== name);
@@ -37,6 +37,6 @@ export function keepKnown(name: string | null, known: ProgramKnown): void {
       JSON.stringify([[name, known], ...rest].slice(0, MOST)),
     );
   } catch {
-    // No storage, or a full one: the program runs all the same.
+    // No storage, or it is full: the program still runs.
   }
 }

@@ -1,4 +1,4 @@
-// The module of the page's workers: both of its parts, which the page has fetched already.
+// Loads the module in a worker. The page has fetched both parts already.
 import type { Raw } from "./core/instance.js";
 import first from "./core/wasm/first.wasm?url";
 import rest from "./core/wasm/rest.wasm?url";

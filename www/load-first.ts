@@ -1,6 +1,5 @@
-// The module of the page. It comes in two parts: the first is what a first visit and the edits of its forms run, the rest is joined to it as soon as it has come.
-// The job of a first visit is always the same: what the module says of it comes with the page (www/first-answers.ts), and is shown until the module is
-// there.
+// Loads the module of the page in two parts. The first runs a first visit and the edits of its forms; the second joins it when it has arrived. The first job is
+// always the same: its answers are part of the page (www/first-answers.ts) and serve until the module is loaded.
 import type { Raw } from "./core/instance.js";
 import address from "./core/wasm/first.wasm?url";
 import rest from "./core/wasm/rest.wasm?url";
@@ -8,12 +7,12 @@ import init, * as raw from "./core/wasm/touchpath.js";
 
 export { raw };
 
-/** Whether the page begins with that job: first.js says so where nothing was kept and the address says no job. */
+/** Whether the page starts with the first job. first.js sets this if nothing is stored and the address holds no job. */
 const isFirst = /\bfirst-(mm|inch)\b/.test(document.documentElement.className);
 
 const pictures: SVGElement[] = [];
 const load = () => init({ module_or_path: address });
-/** Once more after a while: what was typed meanwhile must not be lost with a connection. */
+/** Retries after 2 s: text that was typed meanwhile must survive a lost connection. */
 const retry = () => new Promise((done) => setTimeout(done, 2000)).then(load);
 const loaded = load()
   .catch(retry)
@@ -24,30 +23,30 @@ const loaded = load()
     for (const picture of pictures) picture.remove();
   });
 
-/** The arrival of the module, where the page is shown before it; null once it is there. */
+/** Arrival of the module if the page is shown before it; null afterwards. */
 export let arrival: Promise<void> | null = isFirst ? loaded : null;
 
-/** What answers until the module is there. */
+/** Answers until the module is loaded. */
 export let prebuiltAnswers: Raw | null = null;
 
-// Its failure is reported where it is awaited.
+// The failure is reported where it is awaited.
 loaded.catch(() => undefined);
 const known = isFirst
   ? await import("./first-answers.js").catch(() => null)
   : null;
-// The module may have been faster.
+// The module may have arrived first.
 if (known && arrival) {
   prebuiltAnswers = known.answers();
   showPicture();
 } else await loaded;
 
-/** The picture in the page's markup takes the place of the canvas until the module draws it. */
+/** Shows the picture of the page's markup in place of the canvas until the module draws. */
 function showPicture(): void {
   const page = document.querySelector("touch-path");
   for (const svg of page?.querySelectorAll(".shell svg") ?? []) {
     const picture = svg.cloneNode(true) as SVGElement;
     picture.slot = "picture";
-    // The hatch of the one that is no longer seen would not be seen either.
+    // A hatch pattern of a hidden picture would not be drawn.
     for (const hatch of picture.querySelectorAll("[id]")) {
       const filled = picture.querySelectorAll(`[fill="url(#${hatch.id})"]`);
       hatch.id += "-early";
@@ -61,12 +60,12 @@ function showPicture(): void {
 let loading: Promise<void> | undefined;
 let partial = true;
 
-/** Joins the rest at once, where something was asked that it alone can answer; says whether it was missing. A page that cannot have it fails as it would have. */
+/** Loads the second part synchronously for a question that only it can answer. Returns whether it was missing. Fails like the page without it. */
 export function completeNow(): boolean {
   if (!partial) return false;
   const request = new XMLHttpRequest();
   request.open("GET", rest, false);
-  // Bytes as they are: without this a synchronous answer is a text.
+  // Raw bytes: a synchronous response is otherwise text.
   request.overrideMimeType("text/plain; charset=x-user-defined");
   try {
     request.send();
@@ -81,13 +80,13 @@ export function completeNow(): boolean {
   return true;
 }
 
-/** It may have come in both ways. */
+/** Both ways of loading may have brought it. */
 function take(module: WebAssembly.Module): void {
   if (partial) raw.join(module);
   partial = false;
 }
 
-/** Joins the rest to the first part. Fails without a network, and can be tried again then. */
+/** Joins the second part to the first. Fails without a network; a later call tries again. */
 export function loadWhole(): Promise<void> {
   loading ??= join().catch((thrown) => {
     loading = undefined;
@@ -105,7 +104,7 @@ async function join(): Promise<void> {
   take(module);
 }
 
-// A job that was kept may need all of it; a first visit has its answer sooner. Where the browser is to save data, it comes when it is needed.
+// A stored job may need both parts; a first visit is answered sooner without. If the browser saves data, the second part loads on demand.
 const { connection } = navigator as { connection?: { saveData?: boolean } };
 if (!connection?.saveData) {
   const joined = loaded.then(loadWhole).catch(() => undefined);

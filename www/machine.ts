@@ -24,7 +24,7 @@ export abstract class Machine extends Document {
     this.tellLost(old);
   }
 
-  /** The work offset on another control: the job's, or else the one that the present control has not. */
+  /** Work offset on another control: that of the job, or else one that the current control does not have. */
   protected offsetFor(post: unknown): unknown {
     const old = this.draft.control as Draft;
     if (old.workOffset === null && this.controlWithOffset)
@@ -35,7 +35,7 @@ export abstract class Machine extends Document {
     return offset;
   }
 
-  /** Says that a work offset is not written any more, where this control has none of that name. */
+  /** Announces that a work offset is no longer written because this control has none of that name. */
   protected tellLost({ post, workOffset }: Draft): void {
     if (
       typeof workOffset !== "number" ||
@@ -50,8 +50,8 @@ export abstract class Machine extends Document {
   }
 
   /**
-   * The control for another cycle: that of the job if it takes the cycle, else the one before it, else the one that the cycle is usually for. The
-   * control that the host page asks for stays: where it does not take the cycle, the job has an error.
+   * Chooses the control for another cycle: that of the job if it supports the cycle, else the previous one, else the cycle's default. A control that the host
+   * page requests stays; if it does not support the cycle, the job has an error.
    */
   protected takeControl(type: string, usual: Draft): void {
     const old = this.draft.control as Draft;
@@ -73,12 +73,12 @@ export abstract class Machine extends Document {
     }
   }
 
-  /** Whether a control takes a cycle, or the host page asks for it. */
+  /** Whether a control supports a cycle or the host page requests it. */
   protected serves(post: unknown, type: string): boolean {
     return post === this.outside.post || this.formsOf(post, type).length > 0;
   }
 
-  /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
+  /** A preset from the machine of the job. The work offset belongs to the job, not to the preset. */
   preset(name: string): Preset {
     const sections = structuredClone(
       Object.fromEntries(
@@ -95,8 +95,8 @@ export abstract class Machine extends Document {
   }
 
   /**
-   * Takes these sections of a preset, in this job's units; the work offset stays, if the control has it. Throws `JobError`, and changes nothing, where
-   * it does not fit.
+   * Applies these sections of a preset in the job's units. The work offset stays if the control has it. Throws `JobError` and changes nothing if the preset
+   * does not fit.
    */
   usePreset(
     preset: Preset,

@@ -9,7 +9,7 @@ import {
 import type { Store } from "./store.js";
 import { w } from "./words.js";
 
-/** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */
+/** Decimals that a control displays: a thousandth of a millimetre or degree, a ten-thousandth of an inch. */
 export const places = (unit: string) => (unit === "inch" ? 4 : 3);
 export const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
@@ -34,13 +34,13 @@ export interface Evaluated {
   parts?: Measurement[];
 }
 
-/** The module that makes reports, loaded on first use. */
+/** Loads the module for reports on first use. */
 export class Reports {
   private module: typeof import("./core/report.js") | null = null;
 
   constructor(private readonly loaded: () => void) {}
 
-  /** The module, once it is there. */
+  /** The module once it is loaded, else null. */
   get(): typeof import("./core/report.js") | null {
     if (!this.module)
       import("./core/report.js").then(
@@ -54,7 +54,7 @@ export class Reports {
   }
 }
 
-/** The last answer: several parts of the page show the same text. */
+/** The last evaluation: several parts of the page show the same text. */
 let last: { asked: unknown[]; answer: Evaluated } | null = null;
 
 /** Evaluates the measured text. */
@@ -62,7 +62,7 @@ export function evaluated(store: Store, reports: Reports): Evaluated {
   const { measured, plan, stale } = store;
   if (measured.trim() === "") return {};
   const module = reports.get();
-  // With errors in the form, the plan belongs to an earlier job.
+  // If the form has errors, the plan belongs to an earlier job.
   if (stale) return answered(store, null);
   const asked = [store, plan, measured, module];
   if (!last || asked.some((one, i) => one !== last?.asked[i]))

@@ -1,10 +1,10 @@
-// What a user types into a number field: decimal comma, true minus, a sum, a unit.
+// Reads numbers as users type them: decimal comma, true minus, a sum, a unit.
 import type { FieldEntry } from "./core/browser.js";
 
 type Unit = FieldEntry["unit"];
 type Units = "mm" | "inch";
 
-/** A unit after the number, and the units of lengths it belongs to. */
+/** Suffix of each unit, and the units of lengths it implies. */
 const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
   length: [
     [/\s*mm$/i, "mm"],
@@ -23,19 +23,19 @@ const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
   none: [],
 };
 
-/** `1-1/2` is one and a half on a drawing and a half as a sum: it is not guessed. */
+/** `1-1/2` means 1.5 on a drawing and 0.5 as a sum, so it is not read. */
 const AMBIGUOUS = /^[+-]?\d+-\d+\/\d+/;
-/** `1,000` is a thousand to some, where the decimal sign is a point; `1.000` where it is a comma. */
+/** `1,000` is a thousand where the decimal sign is a point; `1.000` where it is a comma. */
 const THOUSANDS = /^[+-]?\d{1,3}(,000)+(?!\d)/;
 const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 
 /** A size and one or two small deviations, as drawings write a tolerance: `25+0.021`, `25 -0,02`, `25+0.021-0`. */
 const DEVIATIONS =
   /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
-/** Two deviations that cannot be terms of a sum: each signed or 0, separated by a slash or a blank. */
+/** Two deviations that cannot be terms of a sum: each has a sign or is 0, and a slash or blank separates them. */
 const APART =
   /^\d+[.,]?\d*(?:\s*[-+]\d*[.,]?\d+|\s0)\s*[\s/]\s*(?:[-+]\d*[.,]?\d+|0)$/;
-/** `25e7` is a fit: as a number it would be larger than any part. */
+/** `25e7` is a fit: as a number it exceeds any part. */
 const FIT = /^\d+[.,]?\d*\s*e\s*([5-9]|1\d)$/i;
 /** Upper bound of a deviation that could also be a term of a sum, in the units of the size. A quarter of the size is a second bound. */
 const SMALL: Record<Units, number> = { mm: 0.5, inch: 0.02 };
@@ -53,12 +53,12 @@ function isToleranced(text: string, units: Units): boolean {
   );
 }
 
-/** Longer texts are no sums. */
+/** Maximum length of a sum, in characters. */
 const LONGEST = 200;
 
 /**
- * The number that a text says, in the job's units: `80,5`, `−40`, `80/2+0.5`, `1 1/2`, `3.15 in`. What says none stays
- * text, and the check will say so. `comma`: the language writes decimals with one. `size`: of the part, which a drawing may give a tolerance.
+ * Reads the number of a text in the job's units: `80,5`, `−40`, `80/2+0.5`, `1 1/2`, `3.15 in`. A text without a number stays text and becomes a finding.
+ * `comma`: the language writes a decimal comma. `size`: the field is a size of the part, which may include a tolerance.
  */
 export function readNumber(
   text: string,
@@ -74,7 +74,7 @@ export function readNumber(
     thousands.test(text.trim())
   )
     return text;
-  // As a spreadsheet begins a sum, and a drawing a diameter.
+  // A spreadsheet starts a sum with `=`, a drawing a diameter with `Ø`.
   let rest = text
     .trim()
     .replace(/^=\s*|^[Øø⌀]\s*/, "")
@@ -99,17 +99,17 @@ export function readNumber(
   return tidy(given === "inch" ? value * 25.4 : value / 25.4);
 }
 
-/** A worked-out number without the noise of its last digits. A repeatability can be 0.00025 mm: what is this small keeps three decimals more. */
+/** Rounds a computed number. A repeatability can be 0.00025 mm, so small numbers keep three more decimals. */
 export function tidy(value: number): number {
   return Number(value.toFixed(Math.abs(value) < 1e-3 ? 9 : 6));
 }
 
-/** Whether a text says a number by more than its digits: by a sum or a unit. Then the field shows the number once it is accepted. */
+/** Whether a text is a sum or has a unit. The field shows the number once it is accepted. */
 export function isWorkedOut(text: string): boolean {
   return !/^\s*[+-]?(\d+[.,]?\d*|[.,]\d+)\s*$/.test(text);
 }
 
-/** `1 1/2`, as inches are read off a drawing. */
+/** Reads `1 1/2`, as inches are written on drawings. */
 function mixed(text: string): number | null {
   const found = /^([+-]?)\s*(\d+)\s+(\d+)\s*\/\s*(\d+)$/.exec(text);
   if (!found) return null;
@@ -119,7 +119,7 @@ function mixed(text: string): number | null {
   );
 }
 
-/** The value of a sum of products; null where the text is none. */
+/** Value of a sum of products; null if the text is none. */
 function sum(text: string): number | null {
   const words =
     text.match(
@@ -166,7 +166,7 @@ function sum(text: string): number | null {
   };
 
   const value = terms();
-  // 0.1+0.2 is 0.3 to the user.
+  // Rounds off binary noise: 0.1+0.2 is 0.3.
   return next === words.length && words.length > 0 && Number.isFinite(value)
     ? words.length === 1
       ? value

@@ -1,11 +1,11 @@
-// The page without a network: a service worker that keeps its files, and says when there are newer ones.
+// The page without a network: a service worker stores its files and announces a newer version.
 
 /** Keeps the page's files in this browser. When a newer version has been loaded, calls `ready` with a function that switches to it. */
 export async function keepOffline(
   ready: (take: () => void) => void,
 ): Promise<void> {
   if (!("serviceWorker" in navigator)) return;
-  // A newer version that the user has taken: this page is still of the old one.
+  // The user has switched to a newer version, but this page still runs the old one.
   let taken = false;
   navigator.serviceWorker.addEventListener(
     "controllerchange",
@@ -24,7 +24,7 @@ export async function keepOffline(
     registration.addEventListener("updatefound", () => {
       const { installing } = registration;
       installing?.addEventListener("statechange", () => {
-        // The first one has no older page beside it.
+        // The first worker replaces no older page.
         if (
           installing.state === "installed" &&
           navigator.serviceWorker.controller
@@ -33,21 +33,21 @@ export async function keepOffline(
       });
     });
   } catch {
-    // Not served securely, or not allowed: the page works, but not without a network.
+    // The page is not served securely, or workers are not allowed: it works, but only with a network.
   }
 }
 
-/** Has the worker keep a file that not every user wants, such as the words of a language: the page that was opened first has loaded it without the worker. */
+/** Lets the worker store an optional file, such as the words of a language. The first page of an origin loads it before the worker exists. */
 export async function keep(file: string): Promise<void> {
   const registration = await navigator.serviceWorker?.ready;
   registration?.active?.postMessage({ keep: file });
 }
 
 type Policy = { createScriptURL(url: string): unknown };
-/** The page's policy for addresses of scripts: made once, since its name is taken then. */
+/** Trusted Types policy for script addresses. Created once, because its name cannot be used twice. */
 let policy: Policy | undefined;
 
-/** The address of one of the page's own workers, as the page's policy asks for it. Throws where a stricter policy around forbids that. */
+/** Address of one of the page's own workers, as the Trusted Types policy requires it. Throws if a stricter policy of the host page forbids it. */
 export function script(url: string): string {
   const types = (
     globalThis as {

@@ -1,4 +1,4 @@
-// What follows from the job: its plan, its findings, and the names and sentences of what is saved.
+// Computes from the job: its plan, findings, and the names and sentences of files.
 import {
   check,
   type Finding,
@@ -19,7 +19,7 @@ import type { Draft } from "./job.js";
 import { keepFiles } from "./persistence.js";
 import { w } from "./words.js";
 
-/** Where no form of the document has had a plan. */
+/** The plan before any valid plan of the document. */
 const NO_PLAN: Plan = {
   touches: [],
   moves: [],
@@ -46,18 +46,18 @@ const NO_PLAN: Plan = {
   safety: [],
 };
 
-/** Hash over the blocks of a program, from its header; the whole text of a program without one. */
+/** Hash of the blocks of a program, from its header; the whole text for a program without one. */
 const contentOf = (text: string): string =>
   /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
 
-/** The plan of the job in the form, and the move of it that is lit. */
+/** The plan of the job in the form, and the highlighted move. */
 export abstract class Output extends CatalogView {
-  /** The cycles of a set-up, of which one is in the form. */
+  /** The cycles of a set-up; the form has the active one. */
   readonly features = new CycleList();
   findings: Finding[] = [];
-  /** The last good plan of this document; an empty one where there was none. */
+  /** Last valid plan of this document; empty if it had none. */
   plan: Plan = NO_PLAN;
-  /** The program that was saved last. */
+  /** Name of the program that was saved last. */
   saved: string | null = null;
   /** Increases with every state of the job, with or without errors. */
   revision = 0;
@@ -69,16 +69,16 @@ export abstract class Output extends CatalogView {
   protected planned = -1;
   /** The job of `plan`. */
   shown!: Draft;
-  /** The move that is pointed at, or else the one that is pinned. */
+  /** The highlighted move: the one under the pointer, else the selected one. */
   highlight: number | null = null;
   /** The selected move, highlighted while nothing is pointed at. */
   protected pinned: number | null = null;
-  /** The path of the field that has the focus. */
+  /** Path of the focused field. */
   focused: string | null = null;
-  /** What was saved, by the names of the files. */
+  /** Contents of saved files, by name. */
   protected files = new Map<string, string>();
 
-  /** What the host page puts in. */
+  /** Inputs of the host page. */
   abstract readonly outside: HostInputs;
 
   /** The whole job. */
@@ -87,15 +87,15 @@ export abstract class Output extends CatalogView {
   /** Whether the state is stored in this browser. */
   protected abstract readonly local: boolean;
 
-  /** The job to plan: without values that follow from its plan. */
+  /** The job to plan, without values that follow from its plan. */
   protected get toPlan(): Draft {
     return this.job;
   }
 
-  /** Brings the cycle at a place into the form. */
+  /** Makes the cycle at this index active. */
   abstract bringFeature(index: number): void;
 
-  /** Plans the job. The last good plan of the document stays where the job has errors. */
+  /** Plans the job. The last valid plan of the document stays while the job has errors. */
   protected compute(): void {
     this.revision++;
     const { job, toPlan } = this;
@@ -123,14 +123,14 @@ export abstract class Output extends CatalogView {
       if (this.highlight !== null && this.highlight >= count)
         this.highlight = this.pinned;
     } else if (this.planned !== this.document) {
-      // The plan of another document is not that of an earlier state of this one.
+      // The plan of another document is no earlier state of this one.
       this.planned = -1;
       this.plan = NO_PLAN;
       this.shown = structuredClone(job);
     }
   }
 
-  /** Findings of a set-up with the paths that its form has. */
+  /** Findings of a set-up with their paths in its form. */
   protected inForm(findings: Finding[]): Finding[] {
     const { features } = this;
     return features.several
@@ -153,7 +153,7 @@ export abstract class Output extends CatalogView {
     return this.findings.filter((f) => this.isOfControl(f));
   }
 
-  /** Findings at a path, the gravest first. */
+  /** Findings at a path, the most severe first. */
   at(path: string): Finding[] {
     const own = this.findings.filter((f) => f.path === path);
     return own.sort(
@@ -195,7 +195,7 @@ export abstract class Output extends CatalogView {
     return form !== "cycle" && this.postOf(post)?.computes === false;
   }
 
-  /** A code with the name of its cycle in front. Unchanged in a job of one cycle. */
+  /** A code with the name of its cycle as a prefix. Unchanged in a job with one cycle. */
   ofCycle(cycle: number, what: string): string {
     return codeOf(this.plan, cycle, what);
   }
@@ -207,7 +207,7 @@ export abstract class Output extends CatalogView {
     return touch - touches.findIndex((one) => one.cycle === cycle) + 1;
   }
 
-  /** The documented steps of a cycle of the plan, by its place in the job. */
+  /** Documented steps of a cycle of the plan, by its index in the job. */
   stepsOf(cycle: number): string[] {
     const own = (this.shown.cycles as Draft[] | undefined)?.[cycle];
     return own
@@ -215,12 +215,12 @@ export abstract class Output extends CatalogView {
       : this.cycle.steps;
   }
 
-  /** What the program of the plan does with offsets and presets, in a sentence. */
+  /** The write summary of the program: which offsets and presets it writes. */
   get does(): string {
     return this.say(this.plan.program.said);
   }
 
-  /** What the program does with the work offset of a number, in words. */
+  /** Sentence about the write of the work offset with this number. */
   writes(offset: number): string {
     const word = this.post?.workOffsetWords[offset - 1] ?? `#${offset}`;
     return this.stale || offset !== this.get("control.workOffset")
@@ -228,13 +228,13 @@ export abstract class Output extends CatalogView {
       : this.does;
   }
 
-  /** Whether a program of this name was saved before, and had other blocks than the one of the plan. */
+  /** Whether a program with this name but other blocks was saved before. */
   replaces(file: string): boolean {
     const before = this.files.get(file);
     return before !== undefined && before !== contentOf(this.plan.program.text);
   }
 
-  /** The program of the plan was saved as this file. */
+  /** Notes that the program was saved under this name. */
   remember(file: string): void {
     this.files.delete(file);
     this.files.set(file, contentOf(this.plan.program.text));
@@ -247,7 +247,7 @@ export abstract class Output extends CatalogView {
     return `${programStem(this.draft.name, this.stale ? "" : this.plan.program.text)}.${extension}`;
   }
 
-  /** The name of any other file of this job: the cycle is in it. */
+  /** Name of any other file of this job; it contains the cycle. */
   otherName(what: string): string {
     return this.features.several
       ? `${stem(this.draft.name)}${what}`
@@ -278,7 +278,7 @@ export abstract class Output extends CatalogView {
     return this.pinned;
   }
 
-  /** A field has the focus. */
+  /** Sets the focused field. */
   focus(path: string | null): void {
     if (path === this.focused) return;
     this.focused = path;
@@ -286,7 +286,7 @@ export abstract class Output extends CatalogView {
     this.dispatchEvent(new Event("select"));
   }
 
-  /** Why a job cannot be shown; null where it can. */
+  /** Reason why a job cannot be shown; null if it can. */
   unusable(job: unknown): Message | null {
     const format = check(job).find(
       (f) => f.level === "error" && f.path === "format",

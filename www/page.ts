@@ -6,16 +6,16 @@ import type { Asked, Task } from "./tasks.js";
 
 const page = document.querySelector<TouchPath>("touch-path") as TouchPath;
 
-/** What is kept for when there is no network. */
+/** Stores files for use without a network. */
 function keepAll(): void {
   keepOffline((take) =>
     page.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
   );
-  // The page has loaded it already, unless the browser is to save data.
+  // The page has loaded it already, unless the browser saves data.
   const { connection } = navigator as { connection?: { saveData?: boolean } };
   if (!connection?.saveData) keep("rest");
 }
-// Not before what is shown; a page that could not be shown may be an old one.
+// Waits until the page is shown. A page that fails to load may be an old one.
 page.ready.then(keepAll, keepAll);
 
 const wanted = (event: Event) => (event as CustomEvent<string>).detail;
@@ -25,7 +25,7 @@ page.addEventListener("language", (event) => {
 });
 page.addEventListener("load-editor", (event) => keep(wanted(event)));
 
-// Texts that are long enough to hold up the page are read and run in a worker.
+// Reads and runs texts in a worker if they are long enough to block the page.
 page.addEventListener("beside", (event) => {
   const { detail } = event as CustomEvent<Asked<Task>>;
   detail.answer = beside(detail.task, detail.signal);

@@ -1,4 +1,4 @@
-// The features of the job: their order, what follows what, and the tolerances of their results.
+// Edits the features of the job: their order, what they follow, and the tolerances of their results.
 import {
   type Cycle,
   proposedStock,
@@ -15,7 +15,7 @@ import { w } from "./words.js";
 export abstract class PartEditor extends Machine {
   protected ready?: { revision: number; setUps: ReadySetUp[] };
 
-  /** The ready set-ups that suit the machine of the job. Planned on first use, once for each state of the job. */
+  /** Ready set-ups that suit the machine of the job. Planned on first use, once per state of the job. */
   get readySetUps(): ReadySetUp[] {
     if (this.ready?.revision !== this.revision)
       this.ready = { revision: this.revision, setUps: readySetUps(this) };
@@ -36,7 +36,10 @@ export abstract class PartEditor extends Machine {
       ]);
   }
 
-  /** Adds a cycle of this type after the active one and makes it active: beside the other features, with the sizes of the last one of its type. A stock that fits the features fits the new one, too. */
+  /**
+   * Adds a cycle of this type after the active one and makes it active. It is placed beside the other features, with the sizes of the last one of its type.
+   * Stock that fits the features is enlarged to fit the new one.
+   */
   addFeature(type: Cycle["type"]): void {
     const fresh = this.freshOf(type) as { cycle: Draft };
     const last = this.features.lastOf(this.draft, type);
@@ -95,7 +98,7 @@ export abstract class PartEditor extends Machine {
     });
   }
 
-  /** Brings the cycle at a place into the form. Nothing of the job is changed. */
+  /** Makes the cycle at this index active. The job itself does not change. */
   bringFeature(index: number): void {
     if (!this.features.several || index === this.features.hand) return;
     this.features.activate(this.draft, index);
@@ -136,7 +139,7 @@ export abstract class PartEditor extends Machine {
       ]);
   }
 
-  /** The height between the cycles. */
+  /** Sets the height of the clearance plane between the cycles. */
   clearAt(height: number | null): void {
     this.arrange(() => {
       this.features.clear = height;
@@ -149,17 +152,17 @@ export abstract class PartEditor extends Machine {
       const { features, draft } = this;
       features.storeActive(draft);
       change(features);
-      // What follows a relation goes by its new name, in the form too.
+      // A field that follows a relation gets its new name, in the form too.
       draft.cycle = features.all[features.hand]?.cycle ?? draft.cycle;
     });
   }
 
-  /** Where the tolerances of a result are kept: of the cycle in hand in the form. Undefined for a cycle that is no longer in the program. */
+  /** Tolerances of a result's cycle; those of the active cycle are in the form. Undefined for a cycle that is no longer in the program. */
   protected toleratedOf(
     cycle: number,
   ): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
     const { features, draft, plan } = this;
-    // By its name: where the form has errors, the plan may be of another order.
+    // Looks up by name: while the form has errors, the plan may have another order.
     const name = [...plan.cycles, ...plan.relations][cycle]?.toLowerCase();
     const named = (one: { name: string }) => one.name.toLowerCase() === name;
     const own = [...features.all, ...features.relations].find(named);
@@ -176,7 +179,7 @@ export abstract class PartEditor extends Machine {
     return { tolerances: own.tolerances, keep };
   }
 
-  /** The tolerance of a result of the plan; undefined where it has none. */
+  /** Tolerance of a result of the plan; undefined without one. */
   tolerance(cycle: number, code: string): ResultTolerance | undefined {
     return this.toleratedOf(cycle)?.tolerances[code] as
       | ResultTolerance
@@ -218,7 +221,7 @@ export abstract class PartEditor extends Machine {
     this.changed();
   }
 
-  /** Changes the list of cycles, in one step. */
+  /** Changes the list of cycles in one undo step. */
   protected arrange(change: () => void): void {
     if (this.refuses) return;
     this.settle();

@@ -1,29 +1,29 @@
-// What a tab keeps across a reload, and what a new tab starts with.
+// Stores the state of a tab across a reload, and the initial state of a new tab.
 
 /** A tab's own state; two tabs do not share it. */
 const TAB = "touchpath.tab.1";
-/** The last state that any tab wrote: the start of a new tab. */
+/** The last state that any tab stored: the initial state of a new tab. */
 const START = "touchpath.job.1";
 
-/** Changes are gathered for so many milliseconds before they are written: that goes to the disk, and a keystroke does not wait for it. */
+/** Milliseconds between a change and its write to the storage. A keystroke does not wait for the disk. */
 const WAIT = 50;
 
-/** What is to be kept, while it waits. */
+/** The state to store, while a write is pending. */
 let due: (() => Kept) | null = null;
 
-/** A state, and what of it is least missed. */
+/** A state; `left` is dropped first if the storage is full. */
 type Kept = object & { left?: unknown };
 
-/** Called where the browser keeps nothing; once, since that is so for every change. */
+/** Called once if the browser stores nothing. */
 let refused: (() => void) | null = null;
 let toldRefused = false;
 
-/** Keeps a state soon, and in any case before the page is left or hidden: `state` is asked for it then, and `without` called where nothing is kept. */
+/** Stores a state soon, and always before the page is left or hidden. `state` returns the state to store; `without` is called if nothing can be stored. */
 export function keepSoon(state: () => Kept, without: () => void): void {
   if (!due) setTimeout(write, WAIT);
   due = state;
   refused = without;
-  // Both do nothing the second time.
+  // Both do nothing when called again.
   addEventListener("pagehide", write);
   document.addEventListener("visibilitychange", write);
 }
@@ -34,14 +34,14 @@ function write(): void {
   if (!state) return;
   let held = false;
   for (const [storage, key] of places()) {
-    // Where there is no room for everything, the job itself is kept.
+    // If not everything fits, stores the job alone.
     for (const kept of [state, { ...state, left: undefined }]) {
       try {
         storage().setItem(key, JSON.stringify(kept));
         held = true;
         break;
       } catch {
-        // No storage, or a full one: without it the page works, but forgets.
+        // No storage, or it is full: the page works without.
       }
     }
   }
@@ -50,7 +50,7 @@ function write(): void {
   refused?.();
 }
 
-/** What was kept: this tab's own state first, then that of the last tab; what is there and cannot be read is `null`. */
+/** Stored states: that of this tab first, then that of the last tab. An unreadable one is `null`. */
 export function kept(): unknown[] {
   return places().flatMap(([storage, key]) => {
     let text: string | null = null;
@@ -68,7 +68,7 @@ export function kept(): unknown[] {
   });
 }
 
-/** Asking for a storage can itself be refused. */
+/** Access to a storage can throw. */
 function places(): [() => Storage, string][] {
   return [
     [() => sessionStorage, TAB],
@@ -77,10 +77,10 @@ function places(): [() => Storage, string][] {
 }
 
 const SAVED = "touchpath.saved.1";
-/** So many files are remembered, the last ones. */
+/** Maximum number of files remembered, the last ones. */
 const MOST_SAVED = 200;
 
-/** What the files hold that were saved last, by their names. */
+/** Contents of the files that were saved last, by name. */
 export function keptFiles(): Map<string, string> {
   try {
     const pairs = JSON.parse(choice(SAVED) ?? "[]") as unknown;
@@ -103,7 +103,7 @@ const THEME = "touchpath.theme.1";
 const CAM = "touchpath.cam.1";
 const LANGUAGE = "touchpath.language.1";
 
-/** A choice for the page that was kept under a name; null if nothing was kept. */
+/** A stored choice for the page by its name; null if none is stored. */
 function choice(name: string): string | null {
   try {
     return localStorage.getItem(name);
@@ -112,12 +112,12 @@ function choice(name: string): string | null {
   }
 }
 
-/** Keeps one. Without storage it lasts as long as the page. */
+/** Stores a choice. Without storage it lasts as long as the page. */
 function keepChoice(name: string, value: string): void {
   try {
     localStorage.setItem(name, value);
   } catch {
-    // No storage, or a full one.
+    // No storage, or it is full.
   }
 }
 

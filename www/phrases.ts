@@ -1,4 +1,4 @@
-// What the page says, in its language.
+// Texts of the page in its language.
 import {
   type Catalog,
   catalog,
@@ -10,18 +10,18 @@ import {
 import type { Finding } from "./core/types.js";
 import { type Lang, worded } from "./words.js";
 
-/** What the page itself refuses; its message is in the language of the page. */
+/** A refusal by the page itself; its message is in the language of the page. */
 export class Refusal extends JobError {}
 
 export class Phrases extends EventTarget {
   private readonly english: Catalog = catalog();
   /** The catalog in the language of the page. */
   catalog: Catalog = this.english;
-  /** The language, and its words. */
+  /** The language and its words. */
   lang: Lang = "en";
   words: Words = {};
 
-  /** Another language for everything that is shown. */
+  /** Switches the language of all texts. */
   protected speak(lang: Lang, words: Words): void {
     this.lang = lang;
     this.words = words;
@@ -29,12 +29,12 @@ export class Phrases extends EventTarget {
     this.dispatchEvent(new Event("language"));
   }
 
-  /** What is said, in the language of the page. */
+  /** A message in the language of the page. */
   say(said: Message): string {
     return say(said, this.words);
   }
 
-  /** A text of the page in its language; the values replace the names in its braces. */
+  /** A text of the page in its language. Values replace the names in braces. */
   t(template: string, ...values: (string | number | Message)[]): string {
     return this.say([
       template,
@@ -44,17 +44,17 @@ export class Phrases extends EventTarget {
     ]);
   }
 
-  /** A decimal number as this language writes it. */
+  /** A decimal number in the notation of this language. */
   number(text: string): string {
     return this.comma ? text.replace(".", ",") : text;
   }
 
-  /** Whether this language writes decimals with a comma. */
+  /** Whether this language writes a decimal comma. */
   get comma(): boolean {
     return this.words["0.5"] === "0,5";
   }
 
-  /** Why something was refused, in the language of the page. */
+  /** Reason of a refusal, in the language of the page. */
   why(refused: JobError): string {
     const errors = refused.findings.filter((f) => f.level === "error");
     const [first] = errors;

@@ -54,7 +54,7 @@ export function placedBeside(
   );
   for (const { key, kind } of points) {
     const point = (cycle[key] ?? [0, 0, 0]) as number[];
-    // 1411 counts in its plane: the abscissa is first.
+    // The position of 1411 is in its plane: the abscissa comes first.
     const at = kind === "nominalPoint" ? 0 : axis;
     point[at] = tidy((point[at] ?? 0) + shift);
     cycle[key] = point;

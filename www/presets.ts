@@ -1,4 +1,4 @@
-// Named presets: what belongs to a machine and not to a part, kept in this browser and as a file.
+// Named presets: settings of a machine, stored in this browser and in files.
 import { convertUnits } from "./core/browser.js";
 import { isObject } from "./job.js";
 
@@ -15,14 +15,14 @@ export interface Preset {
 
 const KEY = "touchpath.presets.1";
 const FORMAT = "touchpath-presets";
-/** More are not kept; names are cut to so many characters. */
+/** Maximum number of presets stored, and the maximum length of a name in characters. */
 export const MOST = 200;
 const LONGEST_NAME = 80;
 
-/** What was read last, and the text that it was in. */
+/** The list that was read last, and its text. */
 let known: { text: string; list: Preset[] } = { text: "", list: [] };
 
-/** The presets of this browser; null where it keeps nothing. What it keeps and cannot be read counts as none. */
+/** Presets of this browser; null if it stores nothing. Unreadable entries count as none. */
 export function presets(): Preset[] | null {
   try {
     const text = localStorage.getItem(KEY) ?? "";
@@ -33,10 +33,10 @@ export function presets(): Preset[] | null {
   }
 }
 
-/** Presets in other units, as they were converted. */
+/** Presets that were converted to other units. */
 const converted = new WeakMap<Preset, Preset>();
 
-/** A preset in these units; one that cannot be converted is no machine of any job, and stays as it is. */
+/** A preset in these units. A preset that cannot be converted stays as it is: it fits no job. */
 export function convertedPreset(
   preset: Preset,
   units: Preset["units"],
@@ -57,13 +57,13 @@ export function convertedPreset(
     ) as unknown as Record<string, unknown>;
     made = { ...preset, units, overtravel, sections };
   } catch {
-    // What a browser keeps may be anything.
+    // The storage may hold anything.
   }
   converted.set(preset, made);
   return made;
 }
 
-/** Keeps these, and no others. False where this browser keeps nothing. */
+/** Stores exactly these presets. Returns false if this browser stores nothing. */
 export function keepPresets(list: Preset[]): boolean {
   try {
     localStorage.setItem(KEY, written(list));
@@ -73,12 +73,12 @@ export function keepPresets(list: Preset[]): boolean {
   }
 }
 
-/** These as the text of a file. */
+/** These presets as the text of a file. */
 export function written(list: Preset[]): string {
   return `${JSON.stringify({ format: FORMAT, version: 1, presets: list }, null, 2)}\n`;
 }
 
-/** The presets of a file's text; null where it holds none. What is no preset among them is left out. */
+/** Presets of a file's text; null if it holds none. Entries that are no presets are skipped. */
 export function read(text: string): Preset[] | null {
   let file: unknown;
   try {
@@ -118,7 +118,7 @@ export function read(text: string): Preset[] | null {
   });
 }
 
-/** A list with one more; one of the same name gives way. It may become too long to be kept. */
+/** A list with one more preset; one with the same name is replaced. The list may exceed the maximum. */
 export function added(list: Preset[], one: Preset): Preset[] {
   const named = { ...one, name: one.name.trim().slice(0, LONGEST_NAME) };
   return [...list.filter((other) => other.name !== named.name), named].sort(

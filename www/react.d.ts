@@ -1,4 +1,4 @@
-// <touch-path> as a component, and what React's TSX knows of the bare tags: `import type {} from "touchpath/react"` in any file of a project.
+// `<touch-path>` as a component, and the types of the plain tags in TSX: `import type {} from "touchpath/react"` in any file of a project.
 import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
 import type {
   TouchPartAttributes,
@@ -18,7 +18,7 @@ export type TouchPathProps = DetailedHTMLProps<
   TouchPathAttributes &
   TouchPathListeners;
 
-/** The properties of the elements that show panels of another element's job. */
+/** Properties of the elements that show panels of another element's job. */
 export type TouchPartProps = DetailedHTMLProps<
   HTMLAttributes<TouchPart>,
   TouchPart
@@ -26,8 +26,8 @@ export type TouchPartProps = DetailedHTMLProps<
   TouchPartAttributes;
 
 /**
- * `<touch-path>` as a component, for React 19. In a tree that a server rendered React sets neither the properties nor the listeners of a custom element; this
- * sets them, and loads the element in the browser.
+ * `<touch-path>` as a component for React 19. In a tree that was rendered on a server, React sets neither properties nor listeners of a custom element. The
+ * component sets them and loads the element in the browser.
  */
 export function TouchPath(props: TouchPathProps): ReactElement;
 

@@ -1,16 +1,16 @@
 "use client";
 import { createElement, useEffect, useLayoutEffect, useRef } from "react";
 
-/** What the element takes as properties: React sets none on a custom element whose markup came from a server. */
+/** Properties of the element: React sets none on a custom element whose markup came from a server. */
 const PROPERTIES = ["config", "job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "view", "measured", "storage", "links", "disabled", "name"];
 const FLAGS = ["readonly", "links", "disabled"];
 const EVENTS = ["job-change", "plan-change", "selection-change", "measured-change", "program-save", "finding"];
 const isOwn = (key) => PROPERTIES.includes(key) || EVENTS.some((event) => key === `on${event}`);
 
-/** On a server there is no layout, and React warns of the effect. */
+/** A server has no layout, and React warns about the effect there. */
 const useClientLayoutEffect = typeof document === "undefined" ? useEffect : useLayoutEffect;
 
-/** `<touch-path>` as a component: its properties and listeners hold after server rendering, too, and it loads the element by itself. */
+/** `<touch-path>` as a component. Its properties and listeners also work after server rendering, and it loads the element automatically. */
 export function TouchPath({ ref, ...props }) {
   const own = useRef(null);
   const now = useRef(props);
@@ -18,7 +18,7 @@ export function TouchPath({ ref, ...props }) {
   useClientLayoutEffect(() => {
     now.current = props;
     for (const name of PROPERTIES)
-      // What a render leaves out is as it was before it was ever set.
+      // A property that a render omits returns to its initial value.
       if (name in props ? !Object.is(props[name], last.current[name]) : name in last.current)
         own.current[name] = props[name] ?? (FLAGS.includes(name) ? false : null);
     last.current = Object.fromEntries(PROPERTIES.filter((name) => name in props).map((name) => [name, props[name]]));
@@ -38,6 +38,6 @@ export function TouchPath({ ref, ...props }) {
     if (typeof ref === "function") return ref(element);
     if (ref) ref.current = element;
   };
-  // What the browser finds in the markup is not React's to compare.
+  // React must not compare the markup that the browser has parsed.
   return createElement("touch-path", { ...rest, ref: put, suppressHydrationWarning: true });
 }

@@ -1,4 +1,4 @@
-// What a text from outside is: a job, or a program whose moves can be drawn. It knows no page: long texts are read beside it (beside.ts).
+// Recognises a text from outside: a job, or a program whose moves can be drawn. Does not depend on the page: long texts are read in a worker (in-worker.ts).
 import {
   type Finding,
   type Imported,
@@ -8,21 +8,21 @@ import {
   readProgram,
 } from "./core/browser.js";
 
-/** What was made of a text. */
+/** Result of reading a text. */
 export interface Reading {
   imported: Imported | null;
-  /** Why no job could be made of it. */
+  /** Reasons why the text yields no job. */
   findings: Finding[];
-  /** Its moves, where it is a program that says no job. */
+  /** Moves of a program that contains no job. */
   moves: ProgramMoves | null;
-  /** How many measured points it holds, where it is LinuxCNC's PROBEOPEN log and nothing else, or a sender's log with grbl's reports of touches. */
+  /** Number of measured points, if the text is only a LinuxCNC PROBEOPEN log or a sender's log with grbl's touch reports. */
   points: number;
 }
 
-/** How many numbers a line of that log has. */
+/** Number of values in a line of that log. */
 const LOGGED = 9;
 
-/** Findings of texts that may be programs all the same. */
+/** Findings of texts that may still be programs. */
 const PROGRAM = [
   "no-job-in-program",
   "not-understood",
@@ -30,11 +30,11 @@ const PROGRAM = [
   "text-too-long",
 ];
 
-/** How a line of a program begins, on one control or another: a code, a variable, an O word, a block of Klartext. */
+/** Start of a program line on any control: a code, a variable, an O word, a block of Klartext. */
 const BLOCK =
   /^[ \t]*(?:\/\d?[ \t]*)?(?:N?\d+[ \t]*)?(?:[GMT]\d|O(?:\d|<)|#[\d<]|BEGIN PGM|TCH PROBE)/im;
 
-/** Reads a text. What is wrong with the text is in the findings; what is thrown has other causes. */
+/** Reads a text. Its errors are findings; exceptions have other causes. */
 export function read(text: string): Reading {
   const points = logged(text);
   if (points > 0) return { imported: null, findings: [], moves: null, points };
@@ -42,7 +42,7 @@ export function read(text: string): Reading {
   const moves = findings.some(({ code }) => PROGRAM.includes(code))
     ? programOf(text)
     : null;
-  // One move from nowhere is nothing to see, but a program is shown as its text.
+  // A single move from an unknown position shows nothing, so the program is shown as text.
   return {
     imported,
     findings,
@@ -51,12 +51,12 @@ export function read(text: string): Reading {
   };
 }
 
-/** grbl's report of a touch, and the answer to `$#`, which repeats the last one. */
+/** grbl's report of a touch. The answer to `$#` repeats the last one. */
 const REPORT = /\[PRB:[-+.,\d]{5,200}:[01]\]/g;
 const REPEATED =
   /\[TLO:[^\]]{0,200}\]\s{0,9}(?:\[TLR:[^\]]{0,200}\]\s{0,9})?\[PRB:[^\]]{0,200}\]/g;
 
-/** The points of a text that is such a log. */
+/** Points of such a log. */
 function logged(text: string): number {
   if (text.includes("[PRB:"))
     return text.replace(REPEATED, "").match(REPORT)?.length ?? 0;
@@ -73,7 +73,7 @@ function logged(text: string): number {
   return lines.every(holds) ? lines.length : 0;
 }
 
-/** The moves of a text; null where it is too long for a program, too. */
+/** Moves of a text; null if it is too long even for a program. */
 function programOf(text: string): ProgramMoves | null {
   try {
     return readProgram(text);

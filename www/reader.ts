@@ -1,4 +1,4 @@
-// The worker that reads and runs long texts: the page can be used meanwhile.
+// Worker that reads and runs long texts while the page stays usable.
 import { read } from "./read-text.js";
 import { runText } from "./run-text.js";
 import type { Task } from "./tasks.js";
@@ -6,5 +6,5 @@ import type { Task } from "./tasks.js";
 addEventListener("message", ({ data }: MessageEvent<Task>) =>
   postMessage("read" in data ? read(data.read) : runText(data.run, data.known)),
 );
-// What was sent before the module is there would be lost.
+// A message that is sent before the module is loaded would be lost.
 postMessage("ready");

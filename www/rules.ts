@@ -1,4 +1,4 @@
-// The rules of the portal around: what the page offers, what its form shows, and which values are fixed.
+// Rules of the portal: what the page offers, which fields the form shows, and which values are fixed.
 import {
   type Config,
   configured,
@@ -57,7 +57,7 @@ export class Rules {
     return this.of(path)?.hidden !== true;
   }
 
-  /** Whether the user cannot change a field, as long as it has the value that it must have. */
+  /** Whether the user cannot change a field while it has its required value. */
   locks(path: string): boolean {
     return this.of(path)?.locked === true;
   }
@@ -75,19 +75,19 @@ export class Rules {
     return list === undefined || list.includes(one);
   }
 
-  /** A job with everything that the rules fill in. */
+  /** A job with the values that the rules fill in. */
   filled(job: Draft): Draft {
     return this.config ? configured(job, this.config) : job;
   }
 
-  /** The units of a new job, in the place of others that are not allowed. */
+  /** Units of a new job: these, unless the rules do not allow them. */
   units(units: Units): Units {
     return this.allowsUnits(units)
       ? units
       : (this.config?.allow?.units?.[0] ?? units);
   }
 
-  /** A new job with everything that the rules say of its cycle and of the sections around it. A control that is asked for stays. */
+  /** A new job filled in by the rules for its cycle and sections. A requested control stays. */
   laid(job: Draft, asked = false): Draft {
     if (!this.config) return job;
     const { type } = job.cycle as Draft;
@@ -113,13 +113,13 @@ export class Rules {
     return over({ ...job, control }, filled) as Draft;
   }
 
-  /** The type of a first job: the first that is allowed and offered. */
+  /** Type of a first job: the first that is allowed and offered. */
   firstOf(types: string[]): string | undefined {
     const { cycles } = this.config?.allow ?? {};
     return (cycles ?? types).find((type) => this.offers("cycles", type));
   }
 
-  /** The fields that the user cannot change; `bare`: only those without a value that they must have. */
+  /** Fields that the user cannot change. `bare`: only those without their required value. */
   locked(bare = false): string[] {
     const all = Object.entries(this.config?.fields ?? {});
     return all.flatMap(([path, rule]) =>
@@ -127,12 +127,12 @@ export class Rules {
     );
   }
 
-  /** What is refused of a job, and what the portal says of it. */
+  /** Errors and remarks of the portal's rules about a job. */
   judged(job: Draft): Finding[] {
     return this.config ? judged(job, this.config) : [];
   }
 
-  /** The machines that are offered. */
+  /** The offered machines. */
   get machines(): Preset[] {
     return (this.config?.machines ?? []).map(
       ({ name, overtravel, ...sections }) => ({
@@ -144,7 +144,7 @@ export class Rules {
     );
   }
 
-  /** The styli that are offered, in the units of a job. */
+  /** The offered styli, in the units of a job. */
   styli(units: Units): { name: string; stylus: Draft }[] {
     const own = this.config?.units ?? "mm";
     return (this.config?.styli ?? []).map(({ name, ...stylus }) => {
@@ -157,7 +157,7 @@ export class Rules {
   }
 }
 
-/** What one says over what another says. */
+/** Values of one object over those of another. */
 function over(under: unknown, said: unknown): unknown {
   if (!isObject(under) || !isObject(said)) return said;
   const entries = Object.entries(said).map(([key, value]) => [

@@ -1,4 +1,4 @@
-// Runs an opened program with what is known of it, and with assumptions for what is not. It knows no page: long programs are run in a worker.
+// Runs an opened program with the user's inputs and with assumptions for the rest. Does not depend on the page: long programs run in a worker.
 import {
   type Finding,
   JobError,
@@ -8,15 +8,15 @@ import {
   runProgram,
 } from "./core/browser.js";
 
-/** What was made of an opened program. */
+/** Result of running an opened program. */
 export interface Ran {
-  /** What the user knows of it, and what is assumed. */
+  /** The user's inputs and the assumptions. */
   known: ProgramKnown;
   assumes: boolean;
   run: ProgramRun;
-  /** Its run without assumptions: its rules and calls are those of the program. */
+  /** The run without assumptions: rules and calls are reported from it. */
   plain: ProgramRun;
-  /** What is wrong with the part that was given: the program is run without it. */
+  /** Errors of the part that was given; the program runs without it. */
   wrong: Finding[];
 }
 
@@ -33,7 +33,7 @@ export function runText(text: string, own: ProgramKnown): Ran {
   return { ...chosen, assumes: best !== null, plain, wrong };
 }
 
-/** A run; one without the part where the part has errors. */
+/** Runs the program; without the part if the part has errors. */
 function tried(
   text: string,
   known: ProgramKnown,
@@ -42,7 +42,7 @@ function tried(
     return { run: runProgram(text, known), wrong: [] };
   } catch (thrown) {
     if (!(thrown instanceof JobError)) throw thrown;
-    // What is wrong is said, and the fields stay to be mended.
+    // Its errors are reported, and the fields stay for correction.
     const { part: _, ...rest } = known;
     return { run: runProgram(text, rest), wrong: thrown.findings };
   }

@@ -1,10 +1,10 @@
-// Finding cycles by the words that setters have for what they measure.
+// Finds cycles by the words that setters use.
 import type { CycleEntry } from "./core/browser.js";
 import { w } from "./words.js";
 
-/** What any cycle that measures is looked for by. */
+/** Search words of every cycle that measures. */
 const MEASURES = w("work offset zero point datum preset centre G54 G55 X Y");
-/** What the other tool is looked for by. */
+/** Search words of the tool length calculator. */
 export const LENGTHS = w(
   "tool length offset frame swivel nutating head axis SINUMERIK LENTOAX",
 );
@@ -22,7 +22,7 @@ const ELSEWHERE: [RegExp, string][] = [
 const elsewhere = (type: string) =>
   ELSEWHERE.flatMap(([name, words]) => (name.test(type) ? [words] : []));
 
-/** Words that say nothing of what is measured. */
+/** Words without meaning for the search. */
 const EMPTY = new Set([
   "a",
   "an",
@@ -42,7 +42,7 @@ const EMPTY = new Set([
   "probe",
 ]);
 
-/** The words that are looked for; those that say nothing only where there are no others. */
+/** Search words of a query. Words without meaning count only if there are no others. */
 export function wordsIn(query: string): string[] {
   const all = query
     .toLowerCase()
@@ -52,9 +52,9 @@ export function wordsIn(query: string): string[] {
   return full.length > 0 ? full : all;
 }
 
-/** Whether a text has a word: a short one or a number as a whole, a longer one also as a part, in the singular too. */
+/** Whether a text has a word. A short word or a number must match as a whole, a longer word may be a part, also in the singular. */
 export function hasWord(text: string, word: string): boolean {
-  // Chinese words are short, and have no spaces between.
+  // Chinese words are short and have no spaces between them.
   if (/^([\x21-\x7e]{1,2}|\d+)$/.test(word))
     return ` ${text} `.split(/[^\p{L}\p{N}]+/u).includes(word);
   return (
@@ -63,7 +63,7 @@ export function hasWord(text: string, word: string): boolean {
   );
 }
 
-/** All that a cycle is looked for by, in English and in the language of the page. */
+/** Searchable text of a cycle, in English and in the language of the page. */
 export function textOf(
   cycle: CycleEntry,
   english: CycleEntry,
@@ -86,7 +86,7 @@ export function textOf(
     .toLowerCase();
 }
 
-/** The things whose texts have every word; where none has, those that have most of them, the best first. */
+/** Entries whose texts have every word. If there is none, those with most of the words, the best first. */
 export function found<T>(
   things: readonly T[],
   query: string,

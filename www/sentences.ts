@@ -1,24 +1,24 @@
-// The plan of the page in words: a move, the run, a result, and how the virtual part lies.
+// Describes the plan in words: a move, the run, a result, the displacement of the virtual part.
 import { PROGRAM_POST_TITLES } from "./core/program-posts.js";
 import type { Message, Plan, ProgramMoves, ResultRow } from "./core/types.js";
 import type { Draft, Store } from "./store.js";
 import { w } from "./words.js";
 
-/** What the dialects of opened programs are called. */
+/** Names of the dialects of opened programs. */
 const DIALECTS = {
   iso: "ISO",
   sinumerik: "SINUMERIK",
   klartext: "HEIDENHAIN",
 } as const;
 
-/** What a program was read as: a control, or what several of them read. */
+/** What a program was read as: a control, or the common dialect of several. */
 export const readAs = ({
   post,
   dialect,
 }: Pick<ProgramMoves, "post" | "dialect">): string =>
   post ? PROGRAM_POST_TITLES[post] : DIALECTS[dialect];
 
-/** What feeds are called. */
+/** Names of the feeds. */
 const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
   approach: w("approach"),
   longLink: w("long link"),
@@ -28,7 +28,7 @@ const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
   rapid: w("rapid"),
 };
 
-/** What a move is, as the legend of the picture names its line, and where it ends. */
+/** Kind of a move, as the legend of the picture names its line, and its end. */
 function parts(
   store: Store,
   { kind, touch, to, feed, cycle, step }: Plan["moves"][number],
@@ -64,7 +64,7 @@ export function moveInWords(
   const { moves } = store.plan;
   const move = moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
-  // The macros have feeds of their own.
+  // Macros use their own feeds.
   const said: Message = store.plan.program.own
     ? [w("call {step}, {what}, to {place}"), String(move.step), what, place]
     : [
@@ -79,7 +79,7 @@ export function moveInWords(
     : store.say(said);
 }
 
-/** The number of a feed in the form; none is a rapid. */
+/** Value of a feed in the form; undefined for a rapid. */
 export function rateOf(
   store: Store,
   feed: Plan["moves"][number]["feed"],
@@ -94,7 +94,7 @@ export function rateOf(
   return typeof value === "number" ? value : null;
 }
 
-/** How fast a move is, as a program says it: `F150`, or rapid. */
+/** Speed of a move as a program writes it: `F150`, or rapid. */
 function speed(store: Store, feed: Plan["moves"][number]["feed"]): string {
   const rate = rateOf(store, feed);
   return rate === null
@@ -102,7 +102,7 @@ function speed(store: Store, feed: Plan["moves"][number]["feed"]): string {
     : `F${store.number(String(rate))}`;
 }
 
-/** The same where room is short: `touch 1 · contact X37 Y0 Z-10 · F150`. */
+/** Short description of a move: `touch 1 · contact X37 Y0 Z-10 · F150`. */
 export function moveInShort(store: Store, index: number): string {
   const move = store.plan.moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
@@ -118,7 +118,7 @@ export function moveInShort(store: Store, index: number): string {
   ].join(" · ");
 }
 
-/** Minutes and seconds. */
+/** A duration as minutes and seconds. */
 export function clockOf(seconds: number): string {
   const whole = Math.round(seconds);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
@@ -127,14 +127,17 @@ export function clockOf(seconds: number): string {
 /** Abscissa, ordinate and tool axis of each plane. */
 export const AXES_OF = { G17: "XYZ", G18: "ZXY", G19: "YZX" } as const;
 
-/** The name of a result with an axis, by the part of its code before the axis. */
+/** Name of a result with an axis, by the part of its code before the axis. */
 const NAMED: Record<string, string> = {
   center: w("Centre {axis}"),
   corner: w("Corner {axis}"),
   point: w("Point {axis}"),
 };
 
-/** A result that lies on an axis, by the name of that axis: the x of a code is the plane's abscissa, its y the ordinate, its z the tool axis. Any other by its meaning. */
+/**
+ * Name of a result. For a result along an axis, the name of that axis: x in a code is the plane's abscissa, y its ordinate, z the tool axis. Otherwise its
+ * meaning.
+ */
 export function resultInWords(store: Store, { code, said }: ResultRow): string {
   const [thing = "", letter = ""] = code.split(".");
   const axis =
@@ -146,7 +149,7 @@ export function resultInWords(store: Store, { code, said }: ResultRow): string {
     : store.say(said.meaning);
 }
 
-/** How many moves the path of the plan has, and its length. */
+/** Number of moves of the path and its length. */
 export function pathInWords(store: Store): string {
   const { moves, length } = store.plan;
   const words = store.t(
@@ -159,18 +162,18 @@ export function pathInWords(store: Store): string {
     : words;
 }
 
-/** The run of the plan in a line: moves, length, minutes and seconds. */
+/** Summary of the run: moves, length, minutes and seconds. */
 export function runInWords(store: Store): string {
   return `${pathInWords(store)} · ${clockOf(store.plan.time * 60)}`;
 }
 
-/** How the virtual part lies other than the drawing says; empty where it does not. */
+/** Displacement and size deviations of the virtual part, in words; empty if there are none. */
 export function deviations(store: Store): string[] {
   const part = store.get("part") as
     | { offset?: unknown[]; rotation?: unknown; sizes?: Draft }
     | undefined;
   const signed = (x: number) => store.number(x > 0 ? `+${x}` : String(x));
-  // What is no number is said as an error of its field.
+  // An invalid number is reported at its field.
   const off = (x: unknown): x is number => typeof x === "number" && x !== 0;
   const shifts = (part?.offset ?? []).flatMap((x, i) =>
     off(x) ? [`${"XYZ"[i]} ${signed(x)}`] : [],
@@ -187,7 +190,7 @@ export function deviations(store: Store): string[] {
   ];
 }
 
-/** The results that the ball's eccentricity makes uncertain, in a list; empty where it counts in none. */
+/** Results whose uncertainty includes the ball's eccentricity, as a list; empty if there are none. */
 export const ofRunout = (
   rows: ResultRow[],
   say: (row: ResultRow) => string,

@@ -1,7 +1,7 @@
-// A whole state in a link: in the fragment, which no browser sends anywhere.
+// A whole state in a link. The fragment of an address is never sent to a server.
 import { isObject } from "./job.js";
 
-/** What a link holds. Links of version 1 stay readable. */
+/** Content of a link. Links of version 1 stay readable. */
 export interface Shared {
   job: unknown;
   /** Measured points, as text in the job's units. */
@@ -9,10 +9,10 @@ export interface Shared {
 }
 
 const KEY = "#job1=";
-/** Longer links are cut by programs that pass them on. */
+/** Maximum length of a link: some programs truncate longer ones. */
 const LONGEST_LINK = 30_000;
 
-/** The fragment of a state; null where it would be longer than links may be. */
+/** Fragment of a state; null if it exceeds the maximum length. */
 export async function toFragment(state: Shared): Promise<string | null> {
   const bytes = await through(
     new TextEncoder().encode(JSON.stringify(state)),
@@ -27,10 +27,10 @@ export async function toFragment(state: Shared): Promise<string | null> {
   return fragment.length > LONGEST_LINK ? null : fragment;
 }
 
-/** Whether a fragment is a link's at all. */
+/** Whether a fragment belongs to a link of this page. */
 export const isFragment = (hash: string): boolean => hash.startsWith("#job");
 
-/** The state of a fragment; null if it cannot be read. At most so many characters are unpacked. */
+/** State of a fragment; null if it cannot be read. Unpacks at most a fixed number of characters. */
 export async function fromFragment(
   hash: string,
   longest: number,
@@ -57,7 +57,7 @@ export async function fromFragment(
   }
 }
 
-/** Bytes through a stream; null where more than so many come out. */
+/** Pipes bytes through a stream; null if the output exceeds the maximum. */
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: CompressionStream | DecompressionStream,

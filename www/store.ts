@@ -1,4 +1,4 @@
-// The one state of the page, which is stored in the browser, and its changes from one job to another.
+// State of the page. It is stored in the browser and changes from one job to another.
 import {
   type Cycle,
   type CycleEntry,
@@ -23,10 +23,10 @@ import { w } from "./words.js";
 export { sizeField, type Units } from "./entries.js";
 export type { Draft } from "./job.js";
 
-/** Where people measure in inch, a first job is in inch. */
+/** Whether the first job is in inch: in regions that measure in inch. */
 const beginsInInch = () => /^en-US\b/i.test(navigator.languages[0] ?? "");
 
-/** What outlives a reload. */
+/** State that survives a reload. */
 interface State {
   draft: Draft;
   typed: [string, string][];
@@ -38,7 +38,7 @@ interface State {
 
 /** The state of the page: machine, features and document of the job, its plan, and what is stored in the browser. */
 export class Store extends PartEditor {
-  /** What the host page puts in. */
+  /** Inputs of the host page. */
   readonly outside = new HostInputs(this);
   /** Message about the state found in the browser's storage. */
   notice: Message | null = null;
@@ -68,7 +68,7 @@ export class Store extends PartEditor {
     this.automaticName = jobName(this.draft);
   }
 
-  /** Fills in the fields that still have their defaults by other rules. */
+  /** Fills in the fields with default values again, by other rules. */
   configure(): void {
     const { editedPaths: given, rules } = this;
     if (given) {
@@ -119,7 +119,7 @@ export class Store extends PartEditor {
       },
       back?.units ?? units,
     );
-    // A form that comes back was filled in before.
+    // The rules have already filled in a form that is restored.
     for (const path of [...(this.editedPaths ?? [])])
       if (path.startsWith("cycle")) this.editedPaths?.delete(path);
     if (back) this.editedPaths?.add("cycle");
@@ -155,7 +155,7 @@ export class Store extends PartEditor {
       ]);
   }
 
-  /** What is said of a text that is too long to be read. */
+  /** Message for a text that is too long to read. */
   tooLong(length: number, what: "text" | "file" | "paste" = "text"): Message {
     const count = (n: number) => n.toLocaleString(this.lang);
     const templates = {
@@ -176,27 +176,27 @@ export class Store extends PartEditor {
     ];
   }
 
-  /** The longest text that a job is made of, in characters. */
+  /** Maximum length of a text with a job, in characters. */
   get longest(): number {
     return this.catalog.longestText;
   }
 
-  /** The longest program that is shown, in characters. */
+  /** Maximum length of a program to show, in characters. */
   get longestProgram(): number {
     return this.catalog.longestProgram;
   }
 
-  /** Back to the defaults of the present cycle. */
+  /** Resets the active cycle to its defaults. */
   reset(): void {
     this.load(this.outside.fresh(this.cycle.type), "", new Set());
   }
 
-  /** Whether what only the author of a postprocessor needs is shown. */
+  /** Whether the page shows what only authors of postprocessors need. */
   get cam(): boolean {
     return this.camAsked ?? this.cams;
   }
 
-  /** The user's choice, also by a dump that was opened. What the host page asks for goes before it. */
+  /** Sets the user's choice, also when a dump is opened. A request of the host page takes precedence. */
   set cam(on: boolean) {
     if (this.camAsked !== null || on === this.cams) return;
     this.cams = on;
@@ -204,14 +204,14 @@ export class Store extends PartEditor {
     this.showCam();
   }
 
-  /** What the host page asks for; null leaves it to the user. */
+  /** Sets the request of the host page; null leaves the choice to the user. */
   askCam(on: boolean | null): void {
     const before = this.cam;
     this.camAsked = on;
     if (this.cam !== before) this.showCam();
   }
 
-  /** Whether the host page asks for it, or for its absence. */
+  /** Whether the host page requests it on or off. */
   get camIsAsked(): boolean {
     return this.camAsked !== null;
   }
@@ -293,7 +293,7 @@ export class Store extends PartEditor {
     return false;
   }
 
-  /** Whether something kept is a form of a cycle that can be shown again. */
+  /** Whether a stored value is the form of a cycle that can be shown again. */
   protected isLeft(one: unknown): one is [string, SavedCycle] {
     const [type, left] = Array.isArray(one) ? one : [];
     if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points))

@@ -29,6 +29,6 @@ const css = [
 export const styles = new CSSStyleSheet();
 styles.replaceSync(css);
 
-/** What panels elsewhere on the page have otherwise: they may be as low as the host page likes. */
+/** Differences for panels elsewhere on the page: they may be as low as the host page wants. */
 export const partStyles = new CSSStyleSheet();
 partStyles.replaceSync(":host { min-height: 8rem; }");

@@ -1,4 +1,4 @@
-// What Svelte's markup knows of the elements: `import type {} from "touchpath/svelte"` in any file of a project.
+// Types of the elements in Svelte markup: `import type {} from "touchpath/svelte"` in any file of a project.
 import type { HTMLAttributes } from "svelte/elements";
 import type {
   TouchPartAttributes,
@@ -7,7 +7,7 @@ import type {
 } from "./attributes.js";
 import type { TouchPart, TouchPath } from "./element/element.js";
 
-/** What the markup gives the element. */
+/** Properties that markup can set. */
 export type TouchPathProps = Omit<
   HTMLAttributes<TouchPath>,
   keyof TouchPathListeners | keyof TouchPathAttributes

@@ -1,33 +1,35 @@
-// The service worker: keeps the page's files, all of one version, so that it works without a network. The build puts them in here.
+// Service worker: stores the page's files, all of one version, so that it works without a network. The build inserts the list of files.
 /// <reference lib="webworker" />
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 /** @type {string[]} */
 const FILES = [];
-/** Files that not every user wants: the words of the languages, the editor of opened programs, the rest of the module, the licences. They are kept when they are asked for. @type {string[]} */
+/**
+ * Optional files, stored on request: the words of the languages, the editor of opened programs, the second part of the module, the licences. @type {string[]}
+ */
 const WANTED = [];
 const VERSION = "";
-/** One installation a folder: another one of the same server has its own files. */
+/** One cache per folder: another installation on the same server has its own. */
 const OWN = `touchpath ${new URL("./", location.href).pathname} `;
 const CACHE = OWN + VERSION;
 const PAGE = new URL("./", location.href).pathname;
 
-/** Whether a file has the hash of what is in it in its name: whatever was fetched under that name is right, for ever. */
+/** Whether the file name contains a hash of its content. Such a file never changes. */
 const lasts = (/** @type {string} */ name) => /-[\w-]{8}\.\w+$/.test(name);
 
-/** A file's name without the hash of what is in it: the same file of another version. */
+/** File name without the hash: the same file in another version. */
 const stem = (/** @type {string} */ name) => (lasts(name) ? name.slice(0, -"-01234567.js".length) : name);
 
 worker.addEventListener("install", (event) => {
   const install = async () => {
     const cache = await caches.open(CACHE);
-    // What the version before has kept, this one keeps, too.
+    // Optional files that the previous version had stored are stored again.
     const before = (await caches.keys()).filter((name) => name.startsWith(OWN) && name !== CACHE);
     const kept = await Promise.all(before.map(async (name) => (await caches.open(name)).keys()));
     const had = new Set(kept.flat().map((request) => stem(new URL(request.url).pathname)));
     const again = WANTED.filter((file) => had.has(stem(PAGE + file)));
-    // What the page has loaded already is taken from the browser's cache and not fetched again.
+    // Takes files that the page has loaded from the browser's cache instead of the network.
     const request = (/** @type {string} */ file) => new Request(file, { cache: lasts(file) ? "force-cache" : "reload" });
-    // All of them or none: a page of two versions is worse than no page.
+    // All files or none: a mix of two versions breaks the page.
     await cache.addAll([...FILES, ...again].map(request));
   };
   event.waitUntil(install());
@@ -38,7 +40,7 @@ worker.addEventListener("activate", (event) => {
     const names = await caches.keys();
     const old = names.filter((name) => name.startsWith(OWN) && name !== CACHE);
     await Promise.all(old.map((name) => caches.delete(name)));
-    // The page of the first visit, too, finds here what is kept for it.
+    // Also controls the page of the first visit, so that it can store optional files.
     await worker.clients.claim();
   };
   event.waitUntil(others());
@@ -54,7 +56,7 @@ worker.addEventListener("fetch", (event) => {
     if (kept) return kept;
     const response = await fetch(event.request);
     if (response.ok && WANTED.some((file) => url.pathname === PAGE + file)) {
-      // Where there is no room, it is loaded again the next time.
+      // Without space, the file is loaded again next time.
       event.waitUntil(cache.put(event.request, response.clone()).catch(() => undefined));
     }
     return response;
@@ -62,7 +64,7 @@ worker.addEventListener("fetch", (event) => {
   event.respondWith(answer());
 });
 
-// The page asks for it when its user does: nothing changes under a job that is being typed.
+// Switches versions only when the user asks, so a job being edited is not interrupted.
 worker.addEventListener("message", (event) => {
   if (event.data === "take-over") event.waitUntil(worker.skipWaiting());
   const file = WANTED.find((name) => name.startsWith(`assets/${event.data?.keep}-`));

@@ -1,12 +1,12 @@
-// What a worker does for the page.
+// Tasks that a worker does for the page.
 import type { ProgramKnown } from "./core/browser.js";
 import type { Reading } from "./read-text.js";
 import type { Ran } from "./run-text.js";
 
-/** A text to be read, or a program to be run with what is known. */
+/** A text to read, or a program to run with inputs. */
 export type Task = { read: string } | { run: string; known: ProgramKnown };
 
-/** What comes of a task. */
+/** Result of a task. */
 export type Answer<T extends Task> = T extends { read: string } ? Reading : Ran;
 
 /** A request to the host page. The page sets `answer` if it has a worker. */

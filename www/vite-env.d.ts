@@ -18,5 +18,5 @@ declare module "virtual:first-answers" {
   export default answers;
 }
 
-/** The version of the package. */
+/** Version of the package. */
 declare const VERSION: string;

@@ -1,14 +1,14 @@
-// What Vue's templates know of the elements: `import type {} from "touchpath/vue"` in any file of a project.
+// Types of the elements in Vue templates: `import type {} from "touchpath/vue"` in any file of a project.
 import type { HTMLAttributes, PublicProps } from "vue";
 import type { TouchPartAttributes, TouchPathAttributes } from "./attributes.js";
 import type { TouchPathEvents } from "./element/element.js";
 
-/** `job-change` is listened to as `@job-change`, which Vue types as `onJobChange`. */
+/** A listener for `job-change` is `@job-change` in a template, which Vue types as `onJobChange`. */
 type Camel<S extends string> = S extends `${infer A}-${infer B}`
   ? `${A}${Capitalize<Camel<B>>}`
   : S;
 
-/** What a template gives the element. */
+/** Properties that a template can set. */
 export type TouchPathProps = TouchPathAttributes &
   HTMLAttributes & {
     [K in keyof TouchPathEvents as `on${Capitalize<Camel<K & string>>}`]?: (

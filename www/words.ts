@@ -1,7 +1,7 @@
-// The languages of the page: their words are loaded when they are wanted, and the sources contain the English texts.
+// Languages of the page. Their words are loaded on demand; the sources contain the English texts.
 import type { Catalog, FieldEntry, Words } from "./core/types.js";
 
-/** The languages that have words, each by its own name. */
+/** Languages with words, each by its own name. */
 export const LANGUAGES = {
   en: "English",
   "zh-Hans": "简体中文",
@@ -18,13 +18,13 @@ const LOAD: Record<Exclude<Lang, "en">, () => Promise<{ default: Words }>> = {
   ru: () => import("./words/ru.json"),
 };
 
-/** Marks English words in data, so that the lists of words must have them. */
+/** Marks an English text in data, so that the word lists must contain it. */
 export const w = (english: string): string => english;
 
-/** Chinese that is written in traditional characters, by its script or by where it is spoken. */
+/** Traditional Chinese, by script or region. */
 const TRADITIONAL = /^zh-(?:.*-)?(hant|tw|hk|mo)\b/;
 
-/** The first language of some BCP 47 tags that has words: `de-AT` is German, `zh-CN` and `zh` the simplified Chinese. Null where none has. */
+/** First available language of a list of BCP 47 tags: `de-AT` is German, `zh-CN` and `zh` are simplified Chinese. Null if none is available. */
 export function languageOf(tags: readonly string[]): Lang | null {
   for (const tag of tags.map((tag) => tag.toLowerCase())) {
     const primary = tag.split("-")[0];
@@ -37,12 +37,12 @@ export function languageOf(tags: readonly string[]): Lang | null {
   return null;
 }
 
-/** The words of a language. */
+/** Loads the words of a language. */
 export async function wordsOf(lang: Lang): Promise<Words> {
   return lang === "en" ? {} : (await LOAD[lang]()).default;
 }
 
-/** The catalog in a language: what is read. Groups keep their English names, which are keys. */
+/** The catalog in a language. Groups keep their English names, which are keys. */
 export function worded(catalog: Catalog, words: Words): Catalog {
   const t = (text: string) =>
     Object.hasOwn(words, text) ? (words[text] as string) : text;
@@ -78,5 +78,5 @@ export function worded(catalog: Catalog, words: Words): Catalog {
   };
 }
 
-/** What the names of sources say, beside the name of who documents a cycle. */
+/** Words in the names of sources beside the documenting company. */
 export const SOURCE_WORDS = [w("type"), w("cycle")];
