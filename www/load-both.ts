@@ -11,7 +11,7 @@ await init({ module_or_path: first });
 raw.join(await compiled);
 
 export { raw };
-export const stand: Raw | null = null;
+export const prebuiltAnswers: Raw | null = null;
 export const arrival: Promise<void> | null = null;
 export const completeNow = (): boolean => false;
 export async function loadWhole(): Promise<void> {}

@@ -5,7 +5,7 @@ import {
   completeNow,
   loadWhole,
   raw as module,
-  stand,
+  prebuiltAnswers,
 } from "./load.js";
 import type { ProgramKnown, ProgramRun } from "./types.js";
 import type * as raw from "./wasm/touchpath.js";
@@ -15,7 +15,7 @@ export { say } from "./said.js";
 export type * from "./types.js";
 
 const here = () => attach(module, module.__wbg_reset_state, completeNow);
-if (stand) attach(stand, () => undefined);
+if (prebuiltAnswers) attach(prebuiltAnswers, () => undefined);
 else here();
 arrival?.then(here, () => undefined);
 

@@ -8,7 +8,7 @@ await init();
 export { raw };
 
 /** What answers until the module is there. */
-export const stand: Raw | null = null;
+export const prebuiltAnswers: Raw | null = null;
 
 /** The arrival of the module; null once it is there. */
 export const arrival: Promise<void> | null = null;

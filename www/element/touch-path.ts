@@ -472,7 +472,7 @@ export class TouchPath extends Showing {
   private async load(): Promise<void> {
     try {
       // One module for every element of the page, and with it one WebAssembly module.
-      const { App, Store, awaited, hold, kept, styles } = await import(
+      const { App, Store, awaited, bufferInput, kept, styles } = await import(
         "../parts/app.js"
       );
       const local = this.storage === "local";
@@ -517,7 +517,7 @@ export class TouchPath extends Showing {
       if (this.words.has("view")) app.view = this.words.get("view") as View;
       // One that was taken out meanwhile is drawn when it is put in again.
       if (this.isConnected) await app.updateComplete;
-      if (this.beforeLoad) await this.arrive(app, hold(this.shadow));
+      if (this.beforeLoad) await this.arrive(app, bufferInput(this.shadow));
     } catch (thrown) {
       this.shadow.replaceChildren(failure(thrown));
       throw thrown;

@@ -52,7 +52,7 @@ import { Size } from "./size.js";
 import "./table.js";
 import { MISSING, Tools } from "./tools.js";
 
-export { awaited, bufferInput as hold, kept, partStyles, Store, styles };
+export { awaited, bufferInput, kept, partStyles, Store, styles };
 
 const system = matchMedia("(prefers-color-scheme: dark)");
 /** Colours that the user has chosen for every page. */
