@@ -37,16 +37,15 @@ import type { Packed } from "./unpacked.js";
 
 export { JobError };
 
-// The functions of the package. They accept any value: one that is not a job is refused with findings.
+// Functions of the package. They accept any value: a value that is not a job is refused with findings.
 
-/** Everything a form needs: cycles, their fields, the controls. */
+/** Everything a form needs: cycles with their fields, and controls. */
 export function catalog(): Catalog {
   return instance.call(() => raw.catalog());
 }
 
 /**
- * A complete, valid job of a type, in mm or in inch: in inch with numbers that people type (0.6), not with converted millimetres. Throws `JobError` for an
- * unknown type, and for units that are neither.
+ * A complete, valid job of a type, in mm or in inch. Values in inch are round (0.6), not converted millimetres. Throws `JobError` for an unknown type or unit.
  */
 export function defaultJob<T extends Cycle["type"]>(
   type: T,
@@ -55,25 +54,25 @@ export function defaultJob<T extends Cycle["type"]>(
   return instance.call(() => raw.defaultJob(type, units));
 }
 
-/** The default name of a job: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */
+/** The default name of a job, from its cycle and its main sizes: `BORE-D25`, `POCKET-80X50`. */
 export function jobName(job: unknown): string {
   return on(job, raw.jobName);
 }
 
 /**
- * A stock that fits the features of a job, in its units: flush with the walls that are touched from outside, with a margin of 10 mm around the other features,
- * its top at the highest top side. Null where the job has errors, where nothing is touched, and where the path would hit that block.
+ * Stock that fits the features of a job, in its units: flush with the walls that are touched from outside, 10 mm around the other features, its top at the
+ * highest top side. Null if the job has errors, touches nothing, or its path would collide with that stock.
  */
 export function proposedStock(job: unknown): Job["stock"] {
   return on(job, raw.proposedStock);
 }
 
-/** Why the form cannot show a job, as a sentence that names the path; null where it can. A single value may still be wrong. @internal */
+/** Reason why the form cannot show a job, with the path; null if it can. Single values may still be invalid. @internal */
 export function misfit(job: unknown): Message | null {
   return on(job, (codes, text) => raw.misfit(codes, text));
 }
 
-/** Everything that is wrong, unusual or worth knowing; with a config also what it refuses, and its own faults. Never throws. */
+/** All errors, warnings and notes of a job; with a config also the values that it refuses, and its own errors. Never throws. */
 export function check(job: unknown, config?: Config): Finding[] {
   try {
     if (config === undefined) return on(job, raw.check);
@@ -97,7 +96,7 @@ export function check(job: unknown, config?: Config): Finding[] {
   }
 }
 
-/** The whole plan; with a config, of the job that `configured` gives. Throws `JobError` if any finding is an error. */
+/** The whole plan; with a config, that of the job that `configured` returns. Throws `JobError` if any finding is an error. */
 export function plan(job: Job | SetUp, config?: Config): Plan {
   const { own, packed, said } = under(job, config);
   const plan = planOf(packed, () => tableOf(handed(own, raw.table)));
@@ -105,14 +104,14 @@ export function plan(job: Job | SetUp, config?: Config): Plan {
   return plan;
 }
 
-/** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
+/** The program alone, identical to that of the plan. Throws `JobError` in the same cases as `plan`. */
 export function program(job: Job | SetUp, config?: Config): ProgramText {
   return programOf(under(job, config).packed);
 }
 
 /**
- * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
- * `program` is `null`, and its findings say why.
+ * Programs of many jobs, each planned when it is requested, so memory stays constant. A job without a plan does not end the series: its `program` is `null`,
+ * and its findings give the reasons.
  */
 export function* programs(
   jobs: Iterable<Job | SetUp>,
@@ -132,7 +131,7 @@ export function* programs(
   }
 }
 
-/** The faults of a config; their paths begin with `config.`. Empty for a good one. Never throws. */
+/** Errors of a config; their paths start with `config.`. Empty for a valid one. Never throws. */
 export function checkConfig(config: unknown): Finding[] {
   try {
     return on(config, raw.configFaults);
@@ -150,8 +149,8 @@ export function checkConfig(config: unknown): Finding[] {
 }
 
 /**
- * The job with everything that it leaves out and a config fills in: the values of fields, and the first choice that is allowed where the default is not.
- * Throws `JobError` for a config with faults.
+ * The job with the values that it omits and a config fills in: field values, and the first allowed choice where the default is not allowed. Throws `JobError`
+ * for a config with errors.
  */
 export function configured<T>(job: T, config: Config): T {
   return filled(job, coded(config));
@@ -165,12 +164,12 @@ function filled<T>(job: T, rules: Coded): T {
   try {
     return merged(job, filled) as T;
   } catch {
-    // Of a value whose getters throw, what came over.
+    // For a value whose getters throw, the part that could be read.
     return filled;
   }
 }
 
-/** The given value with what was filled in. What is no data of a job stays as it is: the check refuses it by its own name. */
+/** The given value plus the filled-in values. Data that no job has stays as it is, so that the check refuses it by name. */
 function merged(given: unknown, filled: unknown): unknown {
   if (
     typeof given !== "object" ||
@@ -187,7 +186,7 @@ function merged(given: unknown, filled: unknown): unknown {
   return whole;
 }
 
-/** What a config refuses of a job that it has filled in. @internal */
+/** Values of a filled-in job that a config refuses. @internal */
 export function judged(job: unknown, config: Config): Finding[] {
   return judgedBy(coded(job), coded(config));
 }
@@ -198,7 +197,7 @@ function judgedBy({ codes, text }: Coded, rules: Coded): Finding[] {
   );
 }
 
-/** A job under a config, coded and planned, and what the config says of it. Throws `JobError` with what is wrong with the job and what the config refuses. */
+/** Codes and plans a job under a config, with the findings of the config. Throws `JobError` with the errors of the job and the refusals of the config. */
 function under(
   job: unknown,
   config: Config | undefined,
@@ -226,14 +225,15 @@ function under(
   return { own, packed: made, said };
 }
 
-/** The results from what a machine really measured: those of `measure`. Throws `JobError`. */
+/** Results from real measurements: the `results` of `measure`. Throws `JobError`. */
 export function evaluate(job: Job | SetUp, measured: Measured): ResultRow[] {
   return measure(job, measured).results;
 }
 
 /**
- * What follows from what a machine really measured: results, points in the work coordinate system, how they were read, and for grbl the block to type, which states the work offset.
- * It reads what machines print: points, results (`center.x=1.2345`), and logs of senders with grbl's `[PRB:…]`. Throws `JobError`; the findings say line by line what is missing or unclear.
+ * Evaluates real measurements: results, points in the work coordinate system, how the text was read, and for grbl the block to type, which sets the work
+ * offset. Reads print-outs of machines: points, results (`center.x=1.2345`), and sender logs with grbl's `[PRB:…]`. Throws `JobError`; its findings list line
+ * by line what is missing or ambiguous.
  */
 export function measure(job: Job | SetUp, measured: Measured): Measurement {
   const values = coded(measured);
@@ -245,7 +245,7 @@ export function measure(job: Job | SetUp, measured: Measured): Measurement {
 /** The moves of the plan as typed arrays. Throws `JobError`. */
 export function moveColumns(job: Job | SetUp): MoveColumns {
   const own = coded(job);
-  // Who asks for the columns of the plan that was made last needs no second one.
+  // The columns of the last plan need no second plan.
   const { to, feed, kind, step, touch, cycle, arcs } = columns(
     last && same(last.job, own) ? last.plan : packed(own),
   );
@@ -262,7 +262,10 @@ export function moveColumns(job: Job | SetUp): MoveColumns {
   };
 }
 
-/** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
+/**
+ * Reads a job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program written by Touchpath, or a Klartext or ISO program with cycle 1411. For
+ * a program of moves without a job, `kind` is `moves` and `trace` holds its moves. Throws `JobError` if the text is neither.
+ */
 export function importJob(text: string): Imported {
   const json =
     typeof text === "string" && fits(text.length, 0) ? parsed(text) : undefined;
@@ -271,15 +274,16 @@ export function importJob(text: string): Imported {
   const imported = instance.call<Imported>(() =>
     raw.importJob(text, codes, texts),
   );
-  // A job as JSON is taken with all its content: then the module gives none.
+  // A job as JSON is returned with all its content; the module then returns none.
   return imported.kind === "job"
     ? { ...imported, job: imported.job ?? (json as Job) }
     : imported;
 }
 
 /**
- * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. Macros of LinuxCNC (O words) and Fanuc are run with
- * what they set themselves; what the control alone knows, and codes that are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
+ * Reads the moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. Macros of LinuxCNC (O words) and Fanuc run
+ * with the values that the text sets. Values that only the control knows and unknown codes are not followed and become `findings`. Without a dialect, it is
+ * recognised from the text. Throws `JobError` for a text that is too long.
  */
 export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
   const bytes = bytesOf(text);
@@ -290,9 +294,8 @@ export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
 }
 
 /**
- * Runs any program with what is known beside its text: values of variables, the start position, where touches trigger, the files of its subprograms. What
- * stays unknown is `NaN`, never a guess: after a touch of which `part` says nothing, the place along its way. Throws `JobError` for a text that is too long, and for
- * what is known where that is wrong.
+ * Runs any program with inputs that its text does not contain: variable values, start position, trigger points, files of its subprograms. Unknown values are
+ * `NaN`, never a guess; so is a position after a touch that `part` does not determine. Throws `JobError` for a text that is too long and for invalid inputs.
  */
 export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
   const bytes = bytesOf(text);
@@ -305,7 +308,7 @@ export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
 
 const MOVE_KINDS = ["rapid", "feed", "probe"];
 
-/** A program as UTF-8; of one that is too long nothing. */
+/** A program as UTF-8; empty for one that is too long. */
 function bytesOf(text: string): Uint8Array {
   if (typeof text !== "string") {
     throw new JobError(NO_TEXT, [
@@ -323,12 +326,17 @@ function bytesOf(text: string): Uint8Array {
   );
 }
 
-/** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
+/**
+ * JSON Schema (2020-12) of a job: its structure and every range, in both units. Rules about several fields and about the meaning of texts are only in `check`.
+ */
 export function jobSchema(): Record<string, unknown> {
   return instance.call(() => raw.jobSchema());
 }
 
-/** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
+/**
+ * The parameter table as text, in the documented order; `text` has a line `CmdPrm.Flt[-50] = 50` per row. `importJob` reads a table of CmdPrm codes back; for
+ * 1411 it reads the program, not the Q table. Throws `JobError`.
+ */
 export function exportTable(
   job: Job | SetUp,
   format: "csv" | "json" | "text",
@@ -336,12 +344,12 @@ export function exportTable(
   return on(job, (codes, text) => raw.exportTable(codes, text, format));
 }
 
-/** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
+/** Meanings of the rows of the plan's table, in their order, for `say`; empty for a job with errors. */
 export function meanings(job: Job | SetUp): Message[] {
   return meaningsOf(handed(coded(job), raw.meanings));
 }
 
-/** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
+/** The picture of a job as SVG text: path, touches and, where the view shows true size, dimensions and angles. Throws `JobError`. */
 export function svg(
   job: Job | SetUp,
   view: "top" | "front" | "side" | "isometric" = "isometric",
@@ -349,17 +357,20 @@ export function svg(
   return on(job, (codes, text) => raw.svg(codes, text, view));
 }
 
-/** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). They keep 4 decimals in mm and 6 in inch; a number below 0.001 keeps three more. What is neither a number nor such a text stays as it is; what JSON cannot hold becomes null. */
+/**
+ * The job in other units. Every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). Values keep 4
+ * decimals in mm and 6 in inch, below 0.001 three more. Other values stay as they are; a value without JSON becomes null.
+ */
 export function convertUnits(job: unknown, units: "mm" | "inch"): Job {
   return on(job, (codes, text) => raw.convertUnits(codes, text, units));
 }
 
-/** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
+/** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` for an invalid query. */
 export function lentoax(query?: LentoaxQuery): Lentoax {
   return on(query, raw.lentoax);
 }
 
-/** The same in words, and NC lines that ask the control itself; `said` is the sentence for other languages. */
+/** The answer of LENTOAX in words, and NC lines that ask the control itself. `said` is the sentence for other languages. */
 export function lentoaxWords(query?: LentoaxQuery): {
   meaning: string;
   sentence: string;
@@ -369,7 +380,7 @@ export function lentoaxWords(query?: LentoaxQuery): {
   return on(query, raw.lentoaxWords);
 }
 
-/** The crate's version. */
+/** Version of the crate. */
 export function version(): string {
   return instance.call(() => raw.version());
 }
@@ -377,7 +388,7 @@ export function version(): string {
 const UNREADABLE = "This value cannot be read";
 const NO_TEXT = "A program is text";
 
-/** Codes a value, and calls with it. */
+/** Codes a value and calls a function with it. */
 function on<T>(
   value: unknown,
   call: (codes: Float64Array, text: string) => unknown,
@@ -386,7 +397,7 @@ function on<T>(
   return instance.call(() => call(codes, text));
 }
 
-/** The job that was planned last, and its plan. */
+/** The job that was planned last, with its plan. */
 let last: { job: Coded; plan: Packed } | null = null;
 
 function packed(job: Coded): Packed {
@@ -398,7 +409,7 @@ function packed(job: Coded): Packed {
   });
 }
 
-/** What a function of the module hands out of a job. The job is what it was when it was coded, whatever has become of the object since. */
+/** Output of a module function for a job that was coded earlier. Later changes of the object do not matter. */
 function handed({ codes, text }: Coded, give: Raw["table"]): Packed {
   return instance.call<Packed>(() => {
     const sink = new Sink();
@@ -407,7 +418,7 @@ function handed({ codes, text }: Coded, give: Raw["table"]): Packed {
   });
 }
 
-/** The longest text that a job is made of, and the longest program, in UTF-16 units: no more is handed over. */
+/** Maximum length of a text with a job, and of a program, in UTF-16 units. Longer texts are not passed to the module. */
 let most: Uint32Array | null = null;
 
 function fits(length: number, which: 0 | 1): boolean {
@@ -415,12 +426,12 @@ function fits(length: number, which: 0 | 1): boolean {
   return length <= (most[which] as number);
 }
 
-/** The deepest JSON that is read as a job, in levels: what lies deeper can be neither copied nor written as JSON again. A job has six. */
+/** Maximum depth of JSON that is read as a job, in levels: deeper values can be neither copied nor serialised. A job has six levels. */
 const DEEPEST_JSON = 100;
 
 const TOO_DEEP = "This JSON has more than {most} levels: no job has so many";
 
-/** What a text says as JSON; undefined where it is none. Throws `JobError` where it is nested too deeply. */
+/** Value of a JSON text; undefined if it is not JSON. Throws `JobError` if it is nested too deeply. */
 function parsed(text: string): unknown {
   let json: unknown;
   try {
@@ -443,7 +454,7 @@ function parsed(text: string): unknown {
   return json;
 }
 
-/** How many lists and objects of a JSON text lie in each other. */
+/** Nesting depth of the lists and objects in a JSON text. */
 function levels(json: string): number {
   let depth = 0;
   let most = 0;

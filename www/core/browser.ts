@@ -19,17 +19,17 @@ if (prebuiltAnswers) attach(prebuiltAnswers, () => undefined);
 else here();
 arrival?.then(here, () => undefined);
 
-/** The arrival of the module, where the page is shown before it; null once it is there. @internal */
+/** Arrival of the module if the page is shown before it; null afterwards. @internal */
 export function awaited(): Promise<void> | null {
   return arrival;
 }
 
-/** Loads the rest of the module, where the page has begun with its first part. @internal */
+/** Loads the second part of the module if the page has started with the first. @internal */
 export function whole(): Promise<void> {
   return loadWhole();
 }
 
-/** What of the module's picture a page of yours may use. */
+/** Members of the module's picture that a host page may use. */
 type Shown = Pick<
   raw.View,
   | "fit"
@@ -48,17 +48,22 @@ type Shown = Pick<
   | "zoom"
 >;
 
-/** The picture of a job on a canvas. It belongs to the instance of the module that made it: where that broke, every call throws, and a new View is needed. */
+/**
+ * The picture of a job on a canvas. It belongs to the instance of the module that made it: if that instance failed, every call throws and a new View is needed.
+ */
 export interface View extends Shown {
-  /** Shows a job. One that has errors leaves the picture as it is and gives `false`. */
+  /** Shows a job. A job with errors leaves the picture as it is and returns `false`. */
   show(job: unknown): boolean;
   /** Shows a job as a small picture: isometric, without axes, numbers and handles. */
   showSmall(job: unknown): boolean;
-  /** Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`. */
+  /**
+   * Shows the answer to a LENTOAX query: the axes of the coordinate system, the lengths as arrows and, for a rotated workpiece system, the base axes. An
+   * invalid query leaves the picture as it is and returns `false`.
+   */
   showLentoax(query?: unknown): boolean;
 }
 
-/** The same with what Touchpath's own page does with it: handles, dimensions, what is drawn on top. @internal */
+/** The View of Touchpath's own page: also handles, dimensions and overlays. @internal */
 export class PageView extends module.View implements View {
   private readonly madeBy: number;
 
@@ -83,13 +88,13 @@ export class PageView extends module.View implements View {
     return this.showLentoaxCoded(codes, text);
   }
 
-  /** Shows the moves of a run, on the part of what is known. */
+  /** Shows the moves of a run on the part of its inputs. */
   showRun(run: ProgramRun, known: ProgramKnown): void {
     const { codes, text } = coded(known);
     this.showRunCoded(run, codes, text);
   }
 
-  /** Grips an end of the line of a field's dimension at a pixel; the job is the one that is shown. False where no drag moves it. */
+  /** Grips an end of the dimension line of a field at a pixel, for the job that is shown. Returns false if it cannot be dragged. */
   gripEnd(
     job: unknown,
     field: string,
@@ -101,13 +106,13 @@ export class PageView extends module.View implements View {
     return this.gripEndCoded(codes, text, field, end, x, y);
   }
 
-  /** Nothing is left to free of a View whose instance is gone. */
+  /** A View whose instance is gone has nothing left to free. */
   override free(): void {
     instance.ready();
     if (this.madeBy === instance.number) super.free();
   }
 
-  /** Runs a method in this View's own instance. What breaks there breaks it for all. */
+  /** Runs a method in this View's own instance. A failure there breaks all Views of it. */
   static run(
     view: PageView,
     method: (...args: unknown[]) => unknown,

@@ -1,5 +1,5 @@
-// Whatever a caller hands over, as numbers and one text: the other half of src/border/coded.rs. The walk never throws and always ends: cycles,
-// getters that throw, lists of any length. It runs here and not in the module, since every look at a value from there costs a call.
+// Codes any value of a caller as numbers and one text: counterpart of src/border/coded.rs. The walk never throws and always ends, for circular objects,
+// throwing getters and lists of any length. It runs in JavaScript because every access from the module costs a call.
 import {
   DEEPEST,
   FALSE,
@@ -22,7 +22,7 @@ import {
   UNREADABLE,
 } from "./layout.js";
 
-/** A value in one piece. Tags and counts as in src/border/coded.rs; all texts one after the other, each with a line feed after it. */
+/** A coded value. Tags and counts as in src/border/coded.rs; all texts are joined, each with a line feed after it. */
 export interface Coded {
   codes: Float64Array;
   text: string;
@@ -59,7 +59,7 @@ class Coder {
     }
   }
 
-  /** What an object holds; where that cannot be read, nothing of it. */
+  /** Codes the entries of an object; none if it cannot be read. */
   private object(value: object, depth: number): void {
     if (depth === DEEPEST) {
       this.other(TOO_DEEP);
@@ -86,7 +86,7 @@ class Coder {
     this.codes.push(MAP, 0);
     let count = 0;
     for (const key of keys) {
-      // Symbols are no keys of a job.
+      // A job has no symbol keys.
       if (typeof key !== "string") continue;
       if (!this.fits(key)) {
         this.codes.length = codes;
@@ -99,7 +99,7 @@ class Coder {
       this.codes.push(key.length);
       this.text += `${key}\n`;
       this.inner(value, key, depth);
-      // A key that is set to undefined is a key that is not there.
+      // A key with the value undefined counts as absent.
       if (
         this.codes[before + 1] === OTHER &&
         this.codes[before + 2] === UNDEFINED
@@ -125,7 +125,7 @@ class Coder {
     }
   }
 
-  /** The value under a key, where a getter gives one. */
+  /** Value of a key, which a getter may compute. */
   private inner(value: object, key: string | number, depth: number): void {
     this.values = Math.max(this.values - 1, 0);
     let inner: unknown;
@@ -157,7 +157,7 @@ export function same(a: Coded, b: Coded): boolean {
   );
 }
 
-/** Codes a value. Throws only where the caller's stack is used up. */
+/** Codes a value. Throws only if the caller's stack is exhausted. */
 export function coded(value: unknown): Coded {
   const coder = new Coder();
   coder.walk(value, 0);

@@ -1,4 +1,4 @@
-// The frame's side: embed.html runs this beside the element. It accepts messages from the origins on its own list only.
+// Script of embed.html, inside the frame. It accepts messages only from the origins on its own list.
 import {
   type Answer,
   type Deed,
@@ -10,7 +10,7 @@ import {
 } from "./protocol.js";
 import type { Finding } from "./types.js";
 
-/** What of the element is used here; its file is another one. */
+/** Members of the element used here; the class is in another file. */
 interface Element extends HTMLElement {
   readonly ready: Promise<void>;
   job: unknown;
@@ -58,14 +58,14 @@ const EVENTS = [
 ] as const;
 
 const element = document.querySelector("touch-path") as Element;
-/** Origins that may connect to this frame, with spaces between. */
+/** Origins that may connect to this frame, separated by blanks. */
 const allowed = (
   document.querySelector<HTMLMetaElement>("meta[name=touchpath-origins]")
     ?.content ?? ""
 )
   .split(/\s+/)
   .filter(Boolean);
-/** Ends the present connection where a portal makes another one. */
+/** Ends the current connection when a portal opens another one. */
 let ended: AbortController | null = null;
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
@@ -112,7 +112,7 @@ async function accept(port: MessagePort, { saves }: Hello): Promise<void> {
   let version = "";
   try {
     await element.ready;
-    // The element has loaded it already. Imported above, a module that cannot be loaded would leave the portal without an answer.
+    // The element has loaded this module already. A static import that fails would leave the portal without an answer.
     version = (await import("./browser.js")).version();
   } catch (thrown) {
     say({ type: "error", id: null, message: String(thrown), findings: [] });
@@ -163,7 +163,7 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
     else if (appearance !== undefined && !isAppearance(appearance))
       error(`appearance has texts for some of ${TOKENS.join(", ")}`);
     else {
-      // All of it or nothing: a portal that is refused need not ask what of its state was taken.
+      // All or nothing: a refused portal knows that no part of its state was applied.
       const refused = element.refusals(state);
       if (refused.length === 0) refused.push(...set(data.state as FrameState));
       if (refused.length > 0)
@@ -173,7 +173,7 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
   }
 }
 
-/** Whether each of the tokens is text: what CSS does not know changes nothing. */
+/** Whether every token is text. CSS ignores values that it does not understand. */
 const isAppearance = (value: unknown) =>
   isObject(value) &&
   Object.entries(value).every(
@@ -181,7 +181,7 @@ const isAppearance = (value: unknown) =>
       TOKENS.includes(token as Token) && typeof text === "string",
   );
 
-/** Does what the portal asks for; why it cannot be done, or null. */
+/** Performs an action for the portal; returns the reason of a failure, or null. */
 function done(deed: unknown): string | null {
   const asked = (isObject(deed) ? deed : {}) as Partial<Deed>;
   switch (asked.do) {
@@ -205,7 +205,7 @@ function done(deed: unknown): string | null {
   }
 }
 
-/** Sets what is given; what could not be used, as findings. */
+/** Applies a state; returns findings for inputs that could not be used. */
 function set({ appearance, ...state }: FrameState): Finding[] {
   const refused: Finding[] = [];
   const note = (event: Event) => {

@@ -1,4 +1,4 @@
-// A portal's side of a frame with embed.html: a few functions instead of messages.
+// A portal's access to a frame with embed.html: functions instead of messages.
 import {
   type Answer,
   type FrameState,
@@ -12,7 +12,7 @@ import type { Finding, Job, Plan } from "./types.js";
 export type * from "./protocol.js";
 export { PROTOCOL } from "./protocol.js";
 
-/** Thrown where the frame refuses a request; `findings` says why, where there is more to say. */
+/** Thrown when the frame refuses a request; `findings` has the reasons, if there are any. */
 export class FrameError extends Error {
   constructor(
     message: string,
@@ -23,16 +23,16 @@ export class FrameError extends Error {
   }
 }
 
-/** How long is waited for an answer of the frame, milliseconds. */
+/** Default timeout for an answer of the frame, milliseconds. */
 const PATIENCE = 15_000;
 
-/** How a portal connects. */
+/** Options of a connection. */
 export interface ConnectOptions {
-  /** The origin that the frame is served from: `https://touchpath.example`, never `*`. A frame of another origin gets no message. */
+  /** Origin that serves the frame: `https://touchpath.example`, never `*`. A frame of another origin gets no message. */
   origin: string;
-  /** Whether the portal saves programs itself; else the frame hands them out as files. */
+  /** Whether the portal saves programs itself; otherwise the frame offers them as files. */
   saves?: boolean;
-  /** How long to wait for an answer of the frame, milliseconds. */
+  /** Timeout for an answer of the frame, milliseconds. */
   patience?: number;
 }
 
@@ -54,7 +54,7 @@ export interface FrameEvents {
     extension: string;
   }>;
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
-  /** The frame was loaded anew and has back what it had; `refused` says what of it could not be set again. */
+  /** The frame was reloaded and its state restored; `refused` gives the reason if part of the state could not be set again. */
   load: CustomEvent<{ refused: string | null }>;
 }
 
@@ -64,26 +64,26 @@ interface Waiting {
 }
 
 /**
- * A frame that has answered. Its events are those of `<touch-path>`: `job-change`, `plan-change`, `selection-change`, `measured-change`, `program-save`, `finding`;
- * and `load` where the frame was loaded anew.
+ * A connected frame. Its events are those of `<touch-path>` (`job-change`, `plan-change`, `selection-change`, `measured-change`, `program-save`, `finding`) and
+ * `load` after the frame was reloaded.
  */
 export class Frame extends EventTarget {
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
   private ended = false;
   private port: MessagePort;
-  // A frame that is loaded anew gets everything that was set, with the present job and measured points.
+  // State to restore in a reloaded frame, with its current job and measured points.
   private state: FrameState = {};
   private of: string;
-  // What is waited for while the frame is loaded anew; the last load counts.
+  // Pending requests wait for this while the frame reloads; the last load counts.
   private there: Promise<void> = Promise.resolve();
 
   constructor(
     port: MessagePort,
     version: string,
-    // How long to wait for an answer, milliseconds.
+    // Timeout of an answer, milliseconds.
     private readonly patience = PATIENCE,
-    // What else ends with the connection.
+    // Called when the connection ends.
     private readonly over: () => void = () => undefined,
   ) {
     super();
@@ -92,7 +92,7 @@ export class Frame extends EventTarget {
     this.listen();
   }
 
-  /** The version of Touchpath in the frame. */
+  /** Version of Touchpath in the frame. */
   get version(): string {
     return this.of;
   }
@@ -102,9 +102,7 @@ export class Frame extends EventTarget {
       this.receive(data);
   }
 
-  /**
-   * The frame was loaded anew: `hello` gives the port and the version of what is there now. What is asked meanwhile waits for it. @internal
-   */
+  /** Called after the frame was reloaded. `hello` gives its new port and version; requests wait for it meanwhile. @internal */
   async loaded(
     hello: Promise<{ port: MessagePort; version: string }>,
   ): Promise<void> {
@@ -131,7 +129,7 @@ export class Frame extends EventTarget {
         await this.send((id) => ({ type: "set", id, state }));
     } catch (why) {
       if (this.there !== there) return;
-      // Or it shows another page now: what is asked from here on gets no answer, and says so.
+      // Or the frame shows another page now: requests from here on fail with this reason.
       refused = (why as Error).message;
     } finally {
       free();
@@ -158,7 +156,7 @@ export class Frame extends EventTarget {
     super.addEventListener(type, listener, options);
   }
 
-  /** Sets the job, the control, what is shown: all of it, or, where any of it cannot be used, nothing. Then it fails with the reasons. */
+  /** Sets the job, control and display options: all of them, or nothing if any of them cannot be used. Rejects with the reasons then. */
   async set(state: FrameState): Promise<void> {
     await this.ask((id) => ({ type: "set", id, state }));
     const appearance = { ...this.state.appearance, ...state.appearance };
@@ -193,7 +191,7 @@ export class Frame extends EventTarget {
     }));
   }
 
-  /** The present job, its plan, its findings and the measured points. */
+  /** The current job, its plan, findings and measured points. */
   async get(): Promise<FrameView> {
     return (await this.ask((id) => ({ type: "get", id }))) as FrameView;
   }
@@ -217,7 +215,7 @@ export class Frame extends EventTarget {
     this.fail(why);
   }
 
-  // What was asked gets no answer.
+  // Rejects pending requests.
   private fail(why: string): void {
     for (const { fail } of this.waiting.values()) fail(new FrameError(why));
     this.waiting.clear();
@@ -226,7 +224,7 @@ export class Frame extends EventTarget {
   private async ask(
     request: (id: number) => Request,
   ): Promise<FrameView | string | null | undefined> {
-    // Another load may come while one is waited for.
+    // Another load may follow while this one is pending.
     let there: Promise<void>;
     do {
       there = this.there;
@@ -244,7 +242,7 @@ export class Frame extends EventTarget {
         return;
       }
       const id = ++this.last;
-      // A frame that was taken out or has loaded another page says nothing any more.
+      // A frame that was removed or shows another page sends nothing any more.
       const ending = setTimeout(() => {
         this.waiting.delete(id);
         fail(new FrameError("The frame does not answer"));
@@ -267,7 +265,7 @@ export class Frame extends EventTarget {
     if (answer.type === "ended")
       this.end("Another connection has replaced this one");
     if (answer.type === "job-change") {
-      // The job contains a cycle that was set before.
+      // The job contains an earlier cycle.
       const { cycle: _, ...state } = this.state;
       this.state = { ...state, job: answer.detail.job };
     }
@@ -293,7 +291,7 @@ export class Frame extends EventTarget {
   }
 }
 
-/** The origin of an address; empty where it has none. */
+/** Origin of an address; empty without one. */
 function originOf(address: unknown): string {
   try {
     const { origin } = new URL(String(address));
@@ -303,7 +301,7 @@ function originOf(address: unknown): string {
   }
 }
 
-/** Says hello to a frame until it answers; gives the port that it answers through, and its version. */
+/** Sends hello to a frame until it answers; returns the port for the connection and its version. */
 function hello(
   iframe: HTMLIFrameElement,
   own: string,
@@ -328,7 +326,7 @@ function hello(
       port?.close();
       fail(new FrameError(`The frame refuses: ${data.reason}`));
     };
-    // A frame that is not loaded yet gets no message: the hello is repeated until it answers.
+    // A frame that is not loaded yet receives no message: hello is repeated until it answers.
     const ask = () => {
       const channel = new MessageChannel();
       port?.close();
@@ -369,14 +367,14 @@ function hello(
 }
 
 /**
- * Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. Where the frame
- * is loaded anew later, the connection holds: it is given what was set, with the job as it stood, and `load` says so.
+ * Connects to a frame that shows or will show `embed.html`. Rejects if the frame refuses this page, cannot be loaded or does not answer. If the frame reloads
+ * later, the connection stays: the frame gets its state back, with the job as it was, and fires `load`.
  */
 export async function connect(
   iframe: HTMLIFrameElement,
   options: ConnectOptions,
 ): Promise<Frame> {
-  // What `querySelector` did not find.
+  // `querySelector` found no element.
   if (!iframe || !("contentWindow" in iframe))
     throw new FrameError("connect takes the iframe that shows embed.html");
   const { origin, patience } = options;
@@ -387,7 +385,7 @@ export async function connect(
       `${origin} is no origin: it must be that of the frame, such as https://touchpath.example`,
     );
   let frame: Frame | null = null;
-  // Of several loads, as over a page that logs in, the last one is spoken to.
+  // If several pages load, such as a login page first, the last one is used.
   let last = new AbortController();
   const again = () => {
     last.abort();

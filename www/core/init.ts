@@ -1,4 +1,4 @@
-// The functions of the package without a loader: the caller passes the module.
+// Functions of the package without a loader: the caller provides the module.
 import { attach, type Raw } from "./instance.js";
 import * as raw from "./wasm/touchpath.js";
 
@@ -15,7 +15,7 @@ const missing = new Proxy({} as Raw, {
 });
 attach(missing, () => {});
 
-/** Gives the functions their module, `touchpath/touchpath.wasm`: compiled, or as its bytes. Once, before any other call; a second call changes nothing. */
+/** Provides the module, `touchpath/touchpath.wasm`, compiled or as bytes. Call it once before any other function; further calls change nothing. */
 export function init(module: WebAssembly.Module | BufferSource): void {
   raw.initSync({ module });
   attach(raw, raw.__wbg_reset_state);

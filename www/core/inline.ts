@@ -1,4 +1,4 @@
-// The functions of the package with the module inside: for servers that are bundled into a single file.
+// Functions of the package with the module inlined, for servers that are bundled into a single file.
 import { attach } from "./instance.js";
 import { base64 } from "./wasm/inline.js";
 import * as raw from "./wasm/touchpath.js";

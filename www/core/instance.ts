@@ -1,7 +1,7 @@
 import type { Finding } from "./types.js";
 import type { Packed } from "./unpacked.js";
 
-/** Thrown where no plan can be made; `findings` says everything that was found. */
+/** Thrown if no plan can be made; `findings` lists all reasons. */
 export class JobError extends Error {
   readonly findings: Finding[];
 
@@ -12,7 +12,7 @@ export class JobError extends Error {
   }
 }
 
-/** Copies what the module gives: views of its memory, which do not last. */
+/** Copies the module's output: views of its memory become invalid. */
 export class Sink implements Packed {
   numbers = new Float64Array();
   text = "";
@@ -23,7 +23,7 @@ export class Sink implements Packed {
   }
 }
 
-/** What the WebAssembly module gives. A value comes to it coded: `codes` and `text`. */
+/** Functions of the WebAssembly module. Values are passed coded, as `codes` and `text`. */
 export interface Raw {
   catalog(): unknown;
   defaultJob(type: unknown, units: unknown): unknown;
@@ -72,14 +72,14 @@ export interface Raw {
 }
 
 /**
- * The module's instance; `complete` brings what the module still lacks, and says whether it lacked anything. An exception that passes through it (a caller's own stack overflow, a getter's) leaves it broken for
- * good, so a fresh one takes its place before the next call.
+ * Instance of the module. `complete` loads missing parts and returns whether any were missing. An exception that passes through the instance (a stack overflow
+ * of the caller, a throwing getter) leaves it broken, so a fresh one replaces it before the next call.
  */
 export class Instance {
-  /** Counts the instances: objects of an earlier one are invalid in this one. */
+  /** Number of the instance. Objects of an earlier instance are invalid. */
   number = 0;
   private broken = false;
-  /** Calls under way: a getter of a job may itself call in. */
+  /** Nested calls: a getter of a job may itself call a function. */
   private depth = 0;
 
   constructor(
@@ -87,7 +87,7 @@ export class Instance {
     private readonly complete: () => boolean = () => false,
   ) {}
 
-  /** Makes sure that the instance is a sound one. */
+  /** Replaces a broken instance. */
   ready(): void {
     if (!this.broken) return;
     if (this.depth > 0)
@@ -104,7 +104,7 @@ export class Instance {
       return run() as T;
     } catch (thrown) {
       this.broken = true;
-      // A function that is still to come is a trap.
+      // A missing function traps.
       if (thrown instanceof WebAssembly.RuntimeError && this.complete()) {
         this.depth--;
         try {
@@ -126,11 +126,11 @@ export class Instance {
   }
 }
 
-/** The module of this entry, and its instance. */
+/** The module of this entry and its instance. */
 export let raw: Raw;
 export let instance: Instance;
 
-/** Sets the module that the functions call. The page calls this again when its module replaces the baked answers. */
+/** Sets the module behind the functions. The page calls it again when its module replaces the prebuilt answers. */
 export function attach(
   module: Raw,
   renew: () => void,

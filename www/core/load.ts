@@ -1,5 +1,4 @@
-// The module in a browser. The page's own build has www/load-first.ts in this one's place: it begins with a smaller module, and is shown before that is
-// there.
+// Loads the module in a browser. The build of the page replaces this file by www/load-first.ts, which starts with a smaller module.
 import type { Raw } from "./instance.js";
 import init, * as raw from "./wasm/touchpath.js";
 
@@ -7,14 +6,14 @@ await init();
 
 export { raw };
 
-/** What answers until the module is there. */
+/** Answers until the module is loaded: none are needed here. */
 export const prebuiltAnswers: Raw | null = null;
 
-/** The arrival of the module; null once it is there. */
+/** Arrival of the module; null once it is loaded. */
 export const arrival: Promise<void> | null = null;
 
-/** Brings what the module lacks, and says whether it lacked anything: nothing. */
+/** Loads missing parts of the module and returns whether any were missing: there are none. */
 export const completeNow = (): boolean => false;
 
-/** Loads what the module lacks: nothing. */
+/** Loads missing parts of the module: there are none. */
 export async function loadWhole(): Promise<void> {}

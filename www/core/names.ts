@@ -1,10 +1,10 @@
 // File names that every system can store.
 
-/** Names that Windows keeps for its devices. */
+/** Names that Windows reserves for devices. */
 const DEVICES = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
 const LONGEST = 60;
 
-/** A job's name as the stem of a file name: ASCII letters, digits, `-` and `_`. One that has none is PROBE. */
+/** The stem of a file name from a job's name: ASCII letters, digits, `-` and `_`. PROBE if nothing is left. */
 export function stem(name: unknown): string {
   const plain = String(name ?? "")
     .replaceAll("ß", "ss")
@@ -19,10 +19,10 @@ export function stem(name: unknown): string {
   return DEVICES.test(plain) ? `${plain}_` : plain;
 }
 
-/** The first comment of a dry run. */
+/** First comment of a dry run. */
 const DRY = /^[%\s]*(?:O\d+[^\n]*\n)?\s*[(;]\s*DRY RUN/i;
 
-/** The stem of a program's file: the program's own name where it says one (HEIDENHAIN wants them the same), or else the job's; that of a dry run ends in `-DRY`. */
+/** Stem of a program's file name: the program's own name if it states one (HEIDENHAIN requires that they match), else the job's. A dry run ends in `-DRY`. */
 export function programStem(name: unknown, text: string): string {
   if (DRY.test(text)) return `${stem(name)}-DRY`;
   const own = /^0 BEGIN PGM ([A-Za-z0-9_-]+) /.exec(text)?.[1];

@@ -1,4 +1,4 @@
-// A plan out of the module's numbers and text: the other half of src/border/packed.rs. Each section is made when it is read for the first time.
+// Unpacks a plan from the module's numbers and text: counterpart of src/border/packed.rs. Each section is unpacked on first access.
 import * as layout from "./layout.js";
 import {
   FEEDS,
@@ -30,7 +30,7 @@ import type {
 } from "./types.js";
 import { type Packed, Unpacked } from "./unpacked.js";
 
-/** The moves, column by column as they come. */
+/** Columns of the moves. */
 export function columns(packed: Packed) {
   const r = Unpacked.section(packed, MOVES);
   const count = r.number();
@@ -109,7 +109,7 @@ function safety(r: Unpacked): SafetyRow {
   return { ...row, rule: rule as RuleName, message: say(row.said) };
 }
 
-/** The rows of a parameter table. */
+/** Rows of a parameter table. */
 export function tableOf(packed: Packed): ParameterRow[] {
   const r = new Unpacked(packed);
   return r.list(() => {
@@ -129,7 +129,7 @@ export function tableOf(packed: Packed): ParameterRow[] {
   });
 }
 
-/** What its rows mean, in their order. */
+/** Meanings of its rows, in order. */
 export function meaningsOf(packed: Packed): Message[] {
   const r = new Unpacked(packed);
   return r.list(() => r.said());
@@ -145,7 +145,7 @@ export function findingsOf(packed: Packed): Finding[] {
   return r.list(() => finding(r));
 }
 
-/** What is made once, when it is first read; a caller that writes to it has a copy. */
+/** A value that is computed on first access. A caller that changes it changes only its copy. */
 class Part<T> {
   private made: { value: T } | undefined;
   constructor(private readonly make: () => T) {}
@@ -158,10 +158,7 @@ class Part<T> {
   }
 }
 
-/**
- * The plan. To every reader it is a plain object, whose sections are properties like any other; only their making waits. The table is not in
- * what the module handed out: `table` fetches it.
- */
+/** The plan. Readers see a plain object with its sections as properties; each is unpacked on first access. `table` is requested from the module separately. */
 export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
   const list = <Item>(section: number, item: (r: Unpacked) => Item) =>
     new Part(() => {
@@ -232,7 +229,7 @@ export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
       rules.set(value);
     },
   };
-  // What a console shows of it, in Node: the sections, not that they are getters.
+  // Output of Node's console: the sections instead of getters.
   return Object.defineProperty(plan, INSPECT, { value: () => ({ ...plan }) });
 }
 

@@ -1,32 +1,32 @@
 /**
- * The messages between a portal and the frame with `embed.html`. The portal sends one `hello` to the frame's window, with a port; everything
- * after it passes through that port. A later version keeps what this one names.
+ * Messages between a portal and a frame with `embed.html`. The portal sends one `hello` with a port to the frame's window; everything else passes through that
+ * port. Later versions keep these messages.
  */
 import type { Config, Cycle, Finding, Job, Plan } from "./types.js";
 
-/** The version of the protocol. */
+/** Version of the protocol. */
 export const PROTOCOL = 1;
 
-/** What a portal can set; what is left out stays. */
+/** State that a portal can set; omitted values stay as they are. */
 export interface FrameState {
-  /** What may be chosen, which fields are fixed, hidden or filled in. */
+  /** Rules of the portal: allowed choices, and fields that are fixed, hidden or filled in. */
   config?: Config | string;
   job?: Job | string;
   cycle?: Cycle["type"];
   post?: string;
   units?: "mm" | "inch";
   theme?: "light" | "dark" | "auto";
-  /** A BCP 47 tag. */
+  /** BCP 47 language tag. */
   lang?: string;
   readonly?: boolean;
   panels?: string;
-  /** `cam` shows what only the author of a postprocessor needs. */
+  /** `cam` also shows what only authors of postprocessors need. */
   mode?: "setter" | "cam";
   /** The view of the picture. */
   view?: "top" | "front" | "side" | "isometric";
   /** Measured points, results or a log, as text. */
   measured?: string;
-  /** Colours and font: the values of the element's custom properties, which do not cross a frame. */
+  /** Colours and font: values of the element's custom properties, which are not inherited into a frame. */
   appearance?: Partial<Record<Token, string>>;
 }
 
@@ -39,11 +39,11 @@ export type Token =
   | "on-accent"
   | "font";
 
-/** What the frame holds. */
+/** Content of the frame. */
 export interface FrameView {
   /** The job in the form, including its errors. */
   job: Job;
-  /** Its plan; `null` where it has errors. */
+  /** Its plan; `null` if the job has errors. */
   plan: Plan | null;
   findings: Finding[];
   /** The measured points, as entered. */
@@ -64,14 +64,14 @@ export interface Hello {
   saves: boolean;
 }
 
-/** From the frame's window, where it does not take the hello. */
+/** From the frame's window if it refuses the hello. */
 export interface Refused {
   touchpath: number;
   type: "refused";
   reason: string;
 }
 
-/** Through the port, to the frame. Each is answered, but `end`: the portal disconnects, and the frame saves programs as files again. */
+/** Through the port, to the frame. Each gets an answer except `end`, which disconnects: the frame saves programs as files again. */
 export type Request =
   | { type: "set"; id: number; state: FrameState }
   | { type: "get"; id: number }

@@ -1,59 +1,58 @@
-// An inspection report: what was measured of one part or of a series, against nominal values and tolerances. Pure functions of their arguments: a table as
-// data, as CSV, and as a page to print.
+// Inspection report of one part or a series, against nominal values and tolerances. Pure functions: the report as data, as CSV and as a page to print.
 
 import type { Plan, ResultRow } from "./plan-types.js";
 import { codeOf, isBad, isWritten } from "./results.js";
 
 /** Header data of a report. */
 export interface ReportOf {
-  /** The plan of the job. */
+  /** Plan of the job. */
   plan: Plan;
-  /** The results of each part, in their order: those of `measure`. */
+  /** Results of each part in order: those of `measure`. */
   parts: { results: ResultRow[] }[];
-  /** What is inspected, as the title. */
+  /** Inspected part, as the title. */
   name?: string;
-  /** Who measured, on which machine, when, and what else there is to say. */
+  /** Inspector, machine, time and remarks. */
   by?: string;
   machine?: string;
   when?: string;
   note?: string;
 }
 
-/** What several parts say of one result. Lengths in the job's units, angles in degrees. */
+/** Statistics of one result over several parts. Lengths in the job's units, angles in degrees. */
 export interface Series {
-  /** How many parts have a value. */
+  /** Number of parts with a value. */
   count: number;
   mean: number;
   min: number;
   max: number;
-  /** Standard deviation of the parts, divided by count − 1; `null` of a single one. */
+  /** Standard deviation over the parts, with the divisor count − 1; `null` for a single part. */
   spread: number | null;
-  /** Slope of the straight line of least squares through the values, a part; `null` of fewer than three. */
+  /** Slope of the least-squares line through the values, per part; `null` for fewer than three. */
   trend: number | null;
-  /** (upper − lower limit) / 6 spreads; `null` without both limits or without spread. */
+  /** (upper − lower limit) / (6 × spread); `null` without both limits or without spread. */
   cp: number | null;
-  /** Distance of the mean from the nearer limit / 3 spreads; likewise. */
+  /** Distance of the mean from the nearer limit / (3 × spread); `null` in the same cases. */
   cpk: number | null;
 }
 
 /** A result in a report. */
 export interface ReportRow {
-  /** Its code, in a set-up behind the name of its cycle or relation: `BORE.diameter`. */
+  /** Its code; in a set-up with the name of its cycle or relation: `BORE.diameter`. */
   code: string;
   meaning: string;
   /** `mm`, `inch` or `deg`. */
   unit: string;
   nominal: number | null;
   limits: [number, number] | null;
-  /** One a part; `null` where it was not measured. */
+  /** A value per part; `null` if not measured. */
   values: (number | null)[];
-  /** Of the last part: value less nominal. */
+  /** Deviation of the last part: value minus nominal. */
   deviation: number | null;
-  /** Twice the standard uncertainty: 95 of 100 measurements lie within. */
+  /** Expanded uncertainty (k = 2): 95 of 100 measurements lie within. */
   expanded: number | null;
-  /** One a part; `null` where no tolerance is given. */
+  /** A verdict per part; `null` without a tolerance. */
   verdicts: (string | null)[];
-  /** `null` of a single part. */
+  /** `null` for a single part. */
   series: Series | null;
 }
 
@@ -63,20 +62,20 @@ export interface Report {
   machine: string;
   when: string;
   note: string;
-  /** The control that the program is for. */
+  /** Control of the program. */
   control: string;
-  /** The hash over the blocks of the program, as its header says it; empty where it says none. */
+  /** Hash of the program's blocks from its header; empty without one. */
   program: string;
   parts: number;
-  /** `good`, `good within ±`, `out within ±`, `not measured`, `out` and the like: the worst of all; `null` where nothing has a tolerance. */
+  /** The worst verdict: `good`, `good within ±`, `out within ±`, `not measured`, `out` and others; `null` without any tolerance. */
   verdict: string | null;
   rows: ReportRow[];
 }
 
-/** What is said of a result that has a tolerance and no value. */
+/** Verdict of a result with a tolerance but no value. */
 const NOT_MEASURED = "not measured";
 
-/** The verdicts from good to bad. */
+/** Verdicts from good to bad. */
 const GRADES = [
   "good",
   "good within ±",
@@ -88,7 +87,7 @@ const GRADES = [
   "implausible",
 ];
 
-/** The worst of several verdicts; `null` without any. */
+/** The worst of several verdicts; `null` for an empty list. */
 const worst = (verdicts: (string | null)[]): string | null =>
   verdicts.reduce(
     (bad, one) =>
@@ -99,7 +98,7 @@ const worst = (verdicts: (string | null)[]): string | null =>
     null,
   );
 
-/** A moment as a sheet says it, by the clock of this place: `2026-11-26 17:05`. */
+/** A time for the sheet, in the local time zone: `2026-11-26 17:05`. */
 export const clock = (moment: Date): string => {
   const two = (n: number) => String(n).padStart(2, "0");
   const day = `${moment.getFullYear()}-${two(moment.getMonth() + 1)}-${two(moment.getDate())}`;
@@ -120,7 +119,7 @@ export function report({
   const measured = parts.map(
     ({ results }) => new Map(results.map((row) => [key(row), row])),
   );
-  // What a program writes is no feature of the part.
+  // A work offset that the program writes is no feature of the part.
   const listed = plan.results.filter(
     (row) => !isWritten(row) && row.unit !== "",
   );
@@ -188,7 +187,7 @@ function seriesOf(
     (sum, { part, value }) => sum + (part - middle) * (value - mean),
     0,
   );
-  // What is left of equal values by rounding is no spread.
+  // Rounding noise of equal values is no spread.
   const able =
     limits !== null &&
     spread !== null &&
@@ -207,16 +206,16 @@ function seriesOf(
   };
 }
 
-/** The line that Renishaw's macros print above what they measure of a part. */
+/** Line that Renishaw's macros print above the results of a part. */
 const COMPONENT = /^[\s*]*COMPONENT[\s*]+NO[\s*]+(\d+)/;
 
 /**
- * The runs of a log that a program wrote part after part: a new one begins where a result comes again, the name of the program has a line of its own, or Renishaw's macros print the next component. A text of
- * points, or of one run, is given as it is.
+ * Splits a log into the runs of a program, one per part. A run starts where a result repeats, where a line has only the name of the program, or where
+ * Renishaw's macros print the next component. A text of points or of one run stays whole.
  */
 export function runsOf(text: string, plan: Plan): string[] {
   const pointed = (text: string) => text.toLowerCase().replace(/[\s*_]+/g, ".");
-  // A result goes by its name, or by the variable that keeps it: `#138`, `_OVR[4]`.
+  // A result appears under its name or under the variable that stores it: `#138`, `_OVR[4]`.
   const names = plan.results.flatMap(({ cycle, code, stored }) => {
     const own = codeOf(plan, cycle, code).toLowerCase();
     return [own, ...(stored === null ? [] : [pointed(stored)])].map((name) => ({
@@ -226,7 +225,7 @@ export function runsOf(text: string, plan: Plan): string[] {
   });
   const coded = (line: string) => {
     const plain = pointed(line);
-    // A value follows it: a remark of a program about a result has none.
+    // A value follows it; a remark about a result has none.
     const found = names.filter(({ name }) =>
       new RegExp(
         `(^|[^a-z0-9.])${name.replace(/[.[\]#$]/g, "\\$&")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`,
@@ -248,7 +247,7 @@ export function runsOf(text: string, plan: Plan): string[] {
       component = next;
     }
     if (runs.length === 0 || (code !== undefined && said.has(code))) {
-      // The name of the program comes before its first result.
+      // The name of the program precedes its first result.
       const named = runs.at(-1)?.at(-1);
       const moved =
         named !== undefined && said.size > 0 && coded(named) === undefined
@@ -263,19 +262,19 @@ export function runsOf(text: string, plan: Plan): string[] {
   return runs.map((lines) => lines.join("\n"));
 }
 
-/** Decimals of a value: a thousandth of a millimetre or degree, a ten thousandth of an inch, and one more. */
+/** Decimals of a value: one more than a control displays. */
 const decimals = (unit: string) => (unit === "inch" ? 5 : 4);
 const shown = (x: number | null, digits: number) =>
   x === null ? "" : x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
-/** A field of CSV. What a spreadsheet would take for a formula stays text. */
+/** A field of CSV. Text that a spreadsheet would take for a formula stays text. */
 const field = (text: string) => {
   const safe =
     /^[=+@\t\r-]/.test(text) && !/^[+-]?\d/.test(text) ? `'${text}` : text;
   return /[",\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 };
 
-/** The report as CSV: a line a result. */
+/** The report as CSV, a line per result. */
 export function reportCsv({ rows, parts }: Report): string {
   const each = Array.from({ length: parts }, (_, i) =>
     parts > 1 ? ` ${i + 1}` : "",
@@ -334,7 +333,7 @@ const escaped = (text: string) =>
       ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] as string,
   );
 
-/** How the page says a text; English where it is left out. */
+/** Text of the page in a language; English if omitted. */
 export type Words = (template: string, ...values: string[]) => string;
 
 const english: Words = (template, ...values) => {
@@ -348,7 +347,7 @@ th,td{border-bottom:1px solid #bbb;padding:.25em .4em;text-align:left;vertical-a
 code{font-size:.92em}.bad{font-weight:bold;color:#a30d0d}.open{font-weight:bold}svg{width:100%;max-height:95mm}dl{display:grid;grid-template-columns:auto 1fr auto 1fr;gap:.1em .8em;margin:.6em 0}
 dt{color:#555}dd{margin:0}tr{break-inside:avoid}.verdict{font-size:1.15em}.sign{display:flex;gap:2em;margin-top:2.5em}.sign span{flex:1;border-top:1px solid #111;padding-top:.2em}`;
 
-/** The report as a page of its own, to print on A4 or Letter. `picture`: the text of an SVG, as `svg` makes it. `t` says its texts in the language `lang`. */
+/** The report as a page to print on A4 or Letter. `picture`: SVG text from `svg`. `t` translates its texts into the language `lang`. */
 export function reportHtml(
   of: Report,
   picture = "",
@@ -416,7 +415,7 @@ ${parts > 1 ? seriesTable(rows, t) : ""}
 `;
 }
 
-/** What a series of parts says. */
+/** Statistics of a series of parts. */
 function seriesTable(rows: ReportRow[], t: Words): string {
   const head = [
     t("Result"),

@@ -1,7 +1,7 @@
-// Words for results, the same in every list.
+// Names and kinds of results, the same in every list.
 import type { Plan, ResultRow } from "./plan-types.js";
 
-/** The code of a result; where there are several cycles, or relations, behind the name of its own: `BORE.diameter`. */
+/** Code of a result; with several cycles or relations with the name of its own: `BORE.diameter`. */
 export const codeOf = (
   { cycles, relations }: Pick<Plan, "cycles" | "relations">,
   cycle: number,
@@ -11,10 +11,10 @@ export const codeOf = (
     ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${code}`
     : code;
 
-/** Whether it says what a program writes, and nothing of the part. */
+/** Whether the result is a written work offset, not a feature of the part. */
 export const isWritten = ({ code }: Pick<ResultRow, "code">): boolean =>
   code.startsWith("offset.");
 
-/** Whether no good part has this verdict. */
+/** Whether the verdict is that of a bad part. */
 export const isBad = (verdict: string | null): boolean =>
   /^(out|rework|scrap|implausible|not measured)/.test(verdict ?? "");

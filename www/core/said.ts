@@ -1,33 +1,33 @@
-// What is said to a person, in any language: templates and their values, as src/text.rs has them.
+// Messages in any language: templates and their values, as in src/text.rs.
 
 /**
- * A sentence as its English template, then the values of the names in its braces, in the order in which these first appear: a string that is
- * the same in every language (a number with its unit, a code, what a user typed), or again something said.
+ * A message: its English template, then the values of the names in braces in the order of their first appearance. A value is a string that no language changes
+ * (a number with its unit, a code, text of the user) or another message.
  */
 export type Message = [template: string, ...values: (string | Message)[]];
 
 /**
- * Words of a language: for an English template the one in that language, with the same names in braces. What is missing stays English. The entry `0.5`
- * is how a number is written.
+ * Words of a language: English templates with their translations, which have the same names in braces. Missing texts stay English. The entry `0.5` gives the
+ * notation of numbers.
  */
 export type Words = Readonly<Record<string, string>>;
 
 const NAME = /\{([A-Za-z0-9_]+)\}/g;
-/** A number, and a unit after it. */
+/** A number with an optional unit. */
 const NUMBER = /^([+-]?\d+)\.(\d+)( ?(?:mm|inch|°)(?:\/min)?)?$/;
 
 const QUOTES = "\"“”„«»「」‘’'";
 
-/** A number as the words write it; any other text as it is. */
+/** A number in the notation of the language; other text stays as it is. */
 const written = (text: string, words: Words) =>
   words["0.5"] === "0,5" ? text.replace(NUMBER, "$1,$2$3") : text;
 
-/** A text in pieces: the text before a name, the name, and whether it is quoted; the last piece has no name. */
+/** A piece of a template: the text before a name, the name, and whether it is quoted. The last piece has no name. */
 type Piece = [before: string, name: string | null, quoted: boolean];
 
-/** Texts in pieces, as they were taken apart: a table says the same few hundreds of times. */
+/** Parsed templates: a table uses the same few hundred texts. */
 const taken = new Map<string, Piece[]>();
-/** So many are kept. */
+/** Maximum number of parsed templates kept. */
 const MOST = 2000;
 
 function piecesOf(text: string): Piece[] {
@@ -52,7 +52,7 @@ function piecesOf(text: string): Piece[] {
 /** A message as text: in English, or in another language by its words. */
 export function say(said: Message, words: Words = {}): string {
   const template = said[0];
-  // What hangs on the prototype of an object is no word.
+  // Properties of Object.prototype are no translations.
   const text = Object.hasOwn(words, template)
     ? (words[template] as string)
     : template;
@@ -67,7 +67,7 @@ export function say(said: Message, words: Words = {}): string {
     const at = names.indexOf(name);
     const value = at < 0 ? undefined : said[at + 1];
     if (value === undefined) out += `{${name}}`;
-    // Quoted text comes from the user: a line of a program, a name.
+    // Quoted text comes from the user: a program line, a name.
     else if (typeof value === "string")
       out += quoted ? value : written(value, words);
     else out += say(value, words);

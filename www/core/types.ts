@@ -29,77 +29,86 @@ export interface MoveColumns {
   kinds: string[];
 }
 
-/** How a program is written. */
+/** Dialect of a program. */
 export type Dialect = "iso" | "sinumerik" | "klartext";
 
-/** The moves of any program, column by column, in the units that it states first. Nothing is proven of what is read so. */
+/** The moves of any program as columns, in the units that it states first. Nothing about them is proven. */
 export interface ProgramMoves {
-  /** What it was read as. */
+  /** Dialect in which it was read. */
   dialect: Dialect;
-  /** The control that it was read for: the one that was told, or the one that its words show; `null` is any with G codes. */
+  /** Control for which it was read: the given one, or the one recognised from its words; `null` for any control with G codes. */
   post: ProgramPost | null;
-  /** `null` where the program does not say. */
+  /** `null` if the program does not state its units. */
   units: "mm" | "inch" | null;
   plane: "G17" | "G18" | "G19";
-  /** Three numbers a move; `NaN` along an axis whose place is not known. */
+  /** Three numbers per move; `NaN` along an axis with an unknown position. */
   to: Float64Array;
   /** Index into `kinds`. */
   kind: Uint8Array;
-  /** Units a minute; `NaN` for a rapid, or where none was stated. */
+  /** Units per minute; `NaN` for a rapid or an unknown feed. */
   feed: Float64Array;
-  /** The 0-based line of each move. */
+  /** 0-based line of each move. */
   line: Uint32Array;
-  /** Six numbers an arc: index of its move, centre X, Y, Z, degrees, counter-clockwise positive, and its plane: 17, 18 or 19. */
+  /** Six numbers per arc: index of its move, centre X, Y, Z, degrees (counter-clockwise positive), and its plane: 17, 18 or 19. */
   arcs: Float64Array;
   /** `rapid`, `feed`, `probe`. */
   kinds: string[];
-  /** What was ignored, and what could not be known. */
+  /** Notes about ignored lines and unknown values. */
   findings: Finding[];
 }
 
-/** A part to probe: a job, of which its cycle's feature, its virtual part, its stylus and its units count. What probing moves meet of it is computed. */
+/** A part to probe. Its cycle's feature, virtual part, stylus and units determine the contacts of probing moves. */
 export type ProgramPart = Partial<Omit<Job, "cycle">> & { cycle: Job["cycle"] };
 
-/** A control that a program can be read for. */
+/** A control for which programs can be read. */
 export type ProgramPost = (typeof PROGRAM_POSTS)[number];
 
-/** What is known of a program beside its text. */
+/** Inputs of a program that its text does not contain. */
 export interface ProgramKnown {
-  /** Without it, the text decides. */
+  /** Dialect; recognised from the text if omitted. */
   dialect?: Dialect;
-  /** The control that the program is for: it decides what moves the coordinate system, and the dialect. Without it, the text decides. */
+  /** Control of the program: it determines the dialect and the codes that move the coordinate system. Recognised from the text if omitted. */
   post?: ProgramPost;
-  /** `0`: every work offset, shift and tool length that nothing sets is 0. Left out: they are not known, but for those that `set` names by their variables. */
+  /** `0`: every work offset, shift and tool length that nothing sets is 0. Omitted: they are unknown, except those whose variables are in `set`. */
   offsets?: 0;
-  /** Values of variables, by their names in the text: `{ "#3014": 5, "#<_name>": 1 }`. What the text itself sets counts from there on. */
+  /** Values of variables, by their names in the text: `{ "#3014": 5, "#<_name>": 1 }`. An assignment in the text replaces them from there on. */
   set?: Record<string, number>;
-  /** The position of the stylus before the first block, in the units that the program states first and in the coordinate system of the first move; `null` along an axis where that is not known. */
+  /**
+   * Position of the stylus before the first block, in the first units of the program and in the coordinate system of the first move; `null` along an axis with
+   * an unknown position.
+   */
   start?: [number | null, number | null, number | null];
-  /** Where probing moves trigger: the fraction of its way at which a touch, and a positioning move that is watched, makes contact; `null`: never; left out: not known. */
+  /** Trigger points: the fraction of its way at which a touch or a watched positioning move makes contact; `null`: never; omitted: unknown. */
   part?: { at?: number | null; positioning?: number | null } | ProgramPart;
-  /** Texts with subprograms, by their names. */
+  /** Texts with subprograms, by name. */
   files?: Record<string, string>;
 }
 
-/** A program's moves as it runs with what is known. A touch ends where its block says; `contacts` is where it triggered, and the next move begins there. */
+/** A run of a program with inputs. A touch ends at its programmed target; `contacts` has its trigger point, and the next move starts there. */
 export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
-  /** The text of each move, whose `line` counts in it: 0 is the program, others are `files` in their order, from 1. Empty where there are none. */
+  /** The text of each move, to which its `line` belongs: 0 is the program, others are `files` in order, from 1. Empty without files. */
   file: Uint32Array;
-  /** Four numbers a contact: the index of its move, and the place X, Y, Z. */
+  /** Four numbers per contact: index of its move, and X, Y, Z. */
   contacts: Float64Array;
-  /** Four numbers a move that does not begin where the one before ended: its index, and the place where it begins; NaN is not known. A condition that is not known has two ways: both begin where they part. */
+  /**
+   * Four numbers per move that does not start at the end of the previous one: its index and its start; NaN is unknown. Both branches of an unknown condition
+   * start from the same position.
+   */
   resumes: Float64Array;
-  /** Five numbers where the coordinate system moves: the index of the first move in it, its origin X, Y, Z in the system of the first move, and its rotation in degrees. NaN is not known. Positions are those of the active system. */
+  /**
+   * Five numbers per change of the coordinate system: index of the first move in it, its origin X, Y, Z in the system of the first move, and its rotation in
+   * degrees. NaN is unknown. Positions are those of the active system.
+   */
   systems: Float64Array;
-  /** What the program writes that lasts, in its order. */
+  /** Lasting changes by the program, in order. */
   writes: ProgramWrite[];
-  /** What was ignored and what could not be known, each with all its 0-based lines. */
+  /** Notes about ignored lines and unknown values, each with its 0-based lines. */
   findings: (Finding & { lines: number[] })[];
-  /** What the program reads before anything sets it, with the lines that read it: what `set` is for. */
+  /** Variables that the program reads before anything sets them, with the lines that read them. Pass their values in `set`. */
   asks: { name: string; lines: number[] }[];
-  /** Calls of the control's own probing cycles, in the order in which they run. */
+  /** Calls of native cycles, in the order in which they run. */
   calls: NativeCall[];
-  /** What the safety rules say of a program that probes; `holds` is `null` where an unknown decides. `lines`, 0-based, break it, or are not known. */
+  /** Results of the safety rules for a program that probes; `holds` is `null` if an unknown value decides. `lines` (0-based) break the rule or are unknown. */
   rules: {
     rule: string;
     holds: boolean | null;
@@ -107,71 +116,71 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
     said: Message;
     lines: number[];
   }[];
-  /** The lines that name the lines below them, 0-based: programs, subroutines, labels. */
+  /** Lines that name the section below them, 0-based: programs, subroutines, labels. */
   outline: { line: number; name: string }[];
 }
 
-/** A lasting change that a program makes: to a work offset, to the shift of G92, to the tool table. */
+/** A lasting change by a program: of a work offset, the G92 shift or the tool table. */
 export interface ProgramWrite {
-  /** Its 0-based line in its own text: `file` 0 is the program, others are `files` in their order, from 1. */
+  /** 0-based line in its own text: `file` 0 is the program, others are `files` in order, from 1. */
   line: number;
   file: number;
   kind: "offset" | "shift" | "length" | "radius" | "wear" | "table";
-  /** What is written, as the control calls it: `G54`, `G92`, `tool 5`, `#2605`. */
+  /** Target of the write in the control's words: `G54`, `G92`, `tool 5`, `#2605`. */
   register: string;
-  /** `R` is a rotation; `null` where the feature that is measured decides it. */
+  /** `R` is a rotation; `null` if the measured feature determines the axis. */
   axis: "X" | "Y" | "Z" | "R" | null;
-  /** In the program's first units, degrees of a rotation; `null` where it is not known. By `G10 L20` and G92 it is what the present position is called. */
+  /** In the program's first units, degrees for a rotation; `null` if unknown. For `G10 L20` and G92 it is the new value of the current position. */
   value: number | null;
-  /** Whether the write depends on a condition after the last touch. `false`: there is no condition. `null`: what the condition compares is unknown. */
+  /** Whether the write depends on a condition after the last touch. `false`: there is no condition. `null`: the condition compares unknown values. */
   guarded: boolean | null;
 }
 
-/** A call of one of the control's own probing cycles. */
+/** A call of a native cycle. */
 export interface NativeCall {
-  /** Its 0-based line in its own text: `file` 0 is the program, others are `files` in their order, from 1. */
+  /** 0-based line in its own text: `file` 0 is the program, others are `files` in order, from 1. */
   line: number;
   file: number;
-  /** As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`. */
+  /** Name as in programs: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`. */
   name: string;
-  /** What it measures or does, how well that is known and where it was read; `null` for a call that is not known here. */
+  /** What it measures or does, with the mark and the source of this knowledge; `null` for an unknown call. */
   title: string | null;
   mark: "sourced" | "recalled" | null;
   source: string | null;
-  /** By letter, Q number, or place between the commas; `value` is `null` where it is no known number. */
+  /** Arguments by letter, Q number or position between the commas; `value` is `null` if it is no known number. */
   arguments: {
     name: string;
     value: number | null;
     meaning: string | null;
     unit: "length" | "angle" | "feed" | "none" | null;
-    /** What the control takes, where that is known: `0 to 1`. */
+    /** Accepted range, if known: `0 to 1`. */
     range: string | null;
   }[];
-  /** What contradicts in its arguments: the control refuses such a call. */
+  /** Contradictions between its arguments: the control refuses such a call. */
   contradictions: string[];
-  /** The same as a job, where it is one of the documented cycles and says enough: what it does not say has the form's default. */
+  /** The call as a job, if it is a documented cycle and specifies enough. Fields that it does not specify have their defaults. */
   job: Job | null;
 }
 
-/** The outcome of one job among many. */
+/** Outcome of one job among many. */
 export interface Programmed {
-  /** Its program; `null` where it has none. */
+  /** Its program; `null` without one. */
   program: ProgramText | null;
-  /** All findings; where there is no program, errors among them. */
+  /** All findings; errors among them if there is no program. */
   findings: Finding[];
 }
 
-/** What was made of a text: a job, or the moves of a program that holds no job. `findings` says what was ignored, and what could not be known. */
+/** Content of a text: a job, or the moves of a program without a job. `findings` lists ignored lines and unknown values. */
 export type Imported =
   | { kind: "job"; job: Job | SetUp; findings: Finding[] }
   | { kind: "moves"; job: null; trace: TraceRow; findings: Finding[] };
 
-/** What is asked of LENTOAX; what is left out is the standard case. */
+/** Query for LENTOAX; omitted values are the standard case. */
 export interface LentoaxQuery {
   plane?: "G17" | "G18" | "G19";
   /** 400 to 599 are turning and grinding tools; the default 710 is a probe. */
   toolType?: number;
-  /** The active frame's steps, in order. */
+  /** Steps of the active frame, in order. */
   frame?: FrameStep[];
   /** WCS, BCS, MCS, KCS, TCS or their first letter, any case. */
   coord?: string;
@@ -182,16 +191,16 @@ export interface LentoaxQuery {
 }
 
 export interface Lentoax {
-  /** 0: `axind` says it all; 1: `matrix` must be read; -1: coordinate system not known; -2: no tool active. */
+  /** 0: `axind` is the full answer; 1: `matrix` must be read; -1: unknown coordinate system; -2: no active tool. */
   status: number;
-  /** For abscissa, ordinate, applicate: the number of the length that acts there, negative if it points the other way. */
+  /** For abscissa, ordinate and applicate: the number of the length that acts there, negative if it points the other way. */
   axind: Vec3;
   /** Rows abscissa, ordinate, applicate; columns L1, L2, L3. */
   matrix: [Vec3, Vec3, Vec3];
 }
 
 /**
- * What a machine measured: ball centres, one a touch, in order; or a text: points, one a line (CSV, `X1 Y2 Z3`, LinuxCNC's PROBEOPEN log), results (`center.x=1.2345`), or the log of a
- * sender with grbl's `[PRB:…]` and what says the work offset.
+ * Measurements of a machine: ball centres, one per touch, in order; or a text with points, one per line (CSV, `X1 Y2 Z3`, LinuxCNC's PROBEOPEN log), with
+ * results (`center.x=1.2345`), or a sender log with grbl's `[PRB:…]` and its work offset.
  */
 export type Measured = string | (Vec3 | { x: number; y: number; z: number })[];

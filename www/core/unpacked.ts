@@ -1,8 +1,8 @@
-// Numbers and texts of the module, read in the order in which src/border/packed.rs writes them.
+// Reads the module's numbers and texts in the order in which src/border/packed.rs writes them.
 import type { Message } from "./said.js";
 import type { Vec3 } from "./types.js";
 
-/** What the module hands out. */
+/** Output of the module. */
 export interface Packed {
   numbers: Float64Array;
   text: string;
@@ -16,7 +16,7 @@ export class Unpacked {
     private textAt = 0,
   ) {}
 
-  /** The beginning of a section. */
+  /** Start of a section. */
   static section(packed: Packed, section: number): Unpacked {
     return new Unpacked(
       packed,
@@ -29,7 +29,7 @@ export class Unpacked {
     return this.packed.numbers[this.at++] ?? Number.NaN;
   }
 
-  /** What is not there is NaN. */
+  /** NaN means absent. */
   optional(): number | null {
     const x = this.number();
     return Number.isNaN(x) ? null : x;
@@ -50,7 +50,7 @@ export class Unpacked {
     return n < 0 ? null : n;
   }
 
-  /** Whether a −1 comes, which stands for what is not there; goes past it. */
+  /** Skips a −1, which means absent, and returns whether it was there. */
   isNone(): boolean {
     const none = this.packed.numbers[this.at] === -1;
     if (none) this.at++;
@@ -68,7 +68,7 @@ export class Unpacked {
     return this.textOrNone() ?? "";
   }
 
-  /** What is said: a count of values, the template, the values. */
+  /** A message: number of values, template, values. */
   said(): Message {
     return this.saidOrNone() ?? [""];
   }
@@ -117,14 +117,14 @@ export class Unpacked {
     return items;
   }
 
-  /** Numbers five by five, as they lie there, up to a −1. */
+  /** Groups of five numbers, up to a −1. */
   fives(): Float64Array {
     const from = this.at;
     while (this.index() !== null) this.at += 4;
     return this.packed.numbers.subarray(from, this.at - 1);
   }
 
-  /** So many numbers as they lie there. */
+  /** A number of values in a row. */
   column(count: number): Float64Array {
     this.at += count;
     return this.packed.numbers.subarray(this.at - count, this.at);

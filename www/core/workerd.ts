@@ -1,4 +1,4 @@
-// The entry for Cloudflare's workerd, which compiles a module where it is imported and nowhere else.
+// Entry for Cloudflare's workerd, which compiles a module only where it is imported.
 import { attach } from "./instance.js";
 import * as raw from "./wasm/touchpath.js";
 // @ts-expect-error: there it is the compiled module, and not what it exports

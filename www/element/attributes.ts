@@ -1,4 +1,4 @@
-// The attributes and properties of the elements: which are inputs, and which are words.
+// Attributes and properties of the elements: inputs and keywords.
 import type { PanelName } from "../core/types.js";
 
 export type Theme = "light" | "dark" | "auto";
@@ -13,14 +13,14 @@ export const PANEL_NAMES: PanelName[] = [
   "checks",
 ];
 
-/** The attributes that are inputs. */
+/** Attributes that are inputs. */
 export const INPUTS = ["config", "job", "cycle", "post", "units"] as const;
-/** The properties that are inputs. */
+/** Properties that are inputs. */
 export type Input = (typeof INPUTS)[number] | "measured";
-/** What is set at one time: what a job leaves out, the others say. */
+/** Inputs that are set together: the others complete values that the job omits. */
 export type Inputs = Partial<Record<Input, unknown>>;
 
-/** The attributes that are words, and which there are. One that is not known changes nothing. */
+/** Keyword attributes with their values. An unknown value changes nothing. */
 export const WORDS = {
   theme: ["light", "dark", "auto"],
   panels: [...PANEL_NAMES, "none"],
@@ -32,7 +32,7 @@ export type Wordy = keyof typeof WORDS;
 export const isWordy = (name: string): name is Wordy =>
   Object.hasOwn(WORDS, name);
 
-/** Whether a value is one of the words; of panels, some of them. */
+/** Whether a value is one of the keywords; for panels, a list of them. */
 export function isKnown(name: Wordy, value: unknown): boolean {
   const words =
     name === "panels" && typeof value === "string"

@@ -1,9 +1,9 @@
-// The events of the element, and what is submitted with a form.
+// Events of the element, and its value in a form.
 import type { Finding, Job, Plan } from "../core/types.js";
 import type { App } from "../parts/app.js";
 import type { Store } from "../store.js";
 
-/** What the events of the element carry, by name. */
+/** Details of the element's events, by event name. */
 export interface TouchPathEvents {
   "job-change": CustomEvent<{ job: Job }>;
   "plan-change": CustomEvent<{ plan: Plan }>;
@@ -18,7 +18,7 @@ export interface TouchPathEvents {
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
 }
 
-/** What the user has selected: a move, its program line and its touch, all counted from 0, and the path of the focused field. `null` where nothing is selected. */
+/** The user's selection: a move, its program line and its touch, all counted from 0, and the path of the focused field. `null` without a selection. */
 export interface Selection {
   move: number | null;
   line: number | null;
@@ -26,7 +26,7 @@ export interface Selection {
   field: string | null;
 }
 
-/** A plan for an event: copied when it is read for the first time: listeners that do not read it cost nothing. */
+/** A plan for an event. It is copied on first access, so listeners that do not read it cost nothing. */
 function copyOf(own: Plan): { plan: Plan } {
   let copy: Plan | null = null;
   return {
@@ -37,7 +37,7 @@ function copyOf(own: Plan): { plan: Plan } {
   };
 }
 
-/** The element that dispatches them. @internal */
+/** The element that dispatches the events. @internal */
 interface Telling extends HTMLElement {
   tell<K extends keyof TouchPathEvents>(
     name: K,
@@ -55,7 +55,7 @@ export function followJob(
   let findings = "";
   let plan: Plan | null = null;
   let measured = store.measured;
-  /** Whether a change by the user still waits for its `change` event. */
+  /** Whether a user's change still waits for its `change` event. */
   let commit = false;
   const committed = () => {
     if (!commit || !store.userChange) return;
@@ -93,7 +93,7 @@ export function followJob(
     const before = job;
     job = JSON.stringify(store.job);
     inside.setFormValue(job);
-    // The browser shows a message where it can put the focus.
+    // The browser shows a message at an element that can have the focus.
     const anchor = app.querySelector<HTMLElement>(
       "tp-bar select:enabled, canvas[tabindex]",
     );
@@ -104,7 +104,7 @@ export function followJob(
         store.withheld,
         anchor ?? undefined,
       );
-    // What was typed may have changed without the job: `30+2` is worked out when the field is left.
+    // The text of a field may change without the job: `30+2` becomes 32 when the field is left.
     if (byUser && job !== before) {
       store.outside.sent(job);
       element.tell("job-change", { job: JSON.parse(job) });
@@ -125,7 +125,7 @@ export function followJob(
   };
   store.addEventListener("change", () => {
     changed(store.userChange);
-    // The selected move may be gone with its plan.
+    // The selected move may have disappeared with its plan.
     selected();
   });
   store.addEventListener("edit-committed", committed);

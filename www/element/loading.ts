@@ -1,12 +1,12 @@
-// What both kinds of elements need to come into a document: their properties, an attempt to load, and what is shown if it fails.
+// Common to both kinds of elements: their properties, an attempt to load, and the message if it fails.
 
-// The class is named where there is no DOM, too: a server that imports this file renders the bare tag.
+// The class is also declared without a DOM: a server that imports this file renders the bare tag.
 export const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
-/** Said where an element comes into a document: what shows its panels elsewhere may wait for it. */
+/** Event of an element that enters a document; elements that show its panels wait for it. */
 export const HERE = "touchpath-here";
 
-/** Sets again what was set before the class of an element was known: it hides the class's own properties. */
+/** Sets properties again that were set before the element's class was defined. They hide the properties of the class. */
 export function takeUp<T extends object>(element: T, names: (keyof T)[]): void {
   for (const name of names) {
     if (!Object.hasOwn(element, name)) continue;
@@ -31,12 +31,12 @@ export class Attempt {
   });
 
   constructor() {
-    // Callers that do not wait for it see the failure in the element.
+    // Callers that do not await it see the failure in the element.
     this.ready.catch(() => undefined);
   }
 }
 
-/** What an element shows that could not be loaded: nothing else can say it. */
+/** Message of an element that could not be loaded. */
 export function failure(thrown: unknown): HTMLElement {
   const note = document.createElement("p");
   note.setAttribute("role", "alert");

@@ -1,4 +1,4 @@
-// What a <touch-path> shows, and where: the words that say so, and its panels in other elements of the page.
+// Display of a <touch-path>: its keywords, and its panels in other elements of the page.
 import type { Finding } from "../core/types.js";
 import type { App } from "../parts/app.js";
 import type { Store } from "../store.js";
@@ -20,15 +20,15 @@ interface Borrower {
   readonly panels: string;
 }
 
-/** The element as its parts see it: its state, its panels, its events. */
+/** The element as its parts see it: state, panels, events. */
 export abstract class Showing extends Base {
-  /** The page's state, once it is loaded. Not part of what is promised. @internal */
+  /** State of the page once it is loaded. Not part of the public interface. @internal */
   store?: Store;
-  /** What is shown. Not part of what is promised. @internal */
+  /** Content of the element. Not part of the public interface. @internal */
   app?: App;
-  /** What shows panels of this job elsewhere on the page. @internal */
+  /** Elements that show panels of this job elsewhere on the page. @internal */
   protected readonly lent = new Map<Borrower, App>();
-  /** What the attributes that are words say, or last said that is known. @internal */
+  /** Values of the keyword attributes, or their last valid values. @internal */
   protected readonly words = new Map<Wordy, string>();
 
   /** @internal */
@@ -44,7 +44,7 @@ export abstract class Showing extends Base {
   /** @internal */
   abstract get view(): View;
 
-  /** Dispatches an event; false where a listener has cancelled it. @internal */
+  /** Dispatches an event; returns false if a listener cancels it. @internal */
   tell<K extends keyof TouchPathEvents>(
     name: K,
     detail: TouchPathEvents[K]["detail"],
@@ -65,7 +65,7 @@ export abstract class Showing extends Base {
     else this.setAttribute(name, value);
   }
 
-  /** Why any of what is given could not be taken; nothing is changed. @internal */
+  /** Reasons why any of the given inputs cannot be applied; changes nothing. @internal */
   refusals(state: Record<string, unknown>): Finding[] {
     const { store } = this;
     if (!store) return [];
@@ -101,7 +101,7 @@ export abstract class Showing extends Base {
     }
   }
 
-  /** What is shown, and how. @internal */
+  /** Applies the display options. @internal */
   applyOptions(): void {
     const { app, store } = this;
     if (!app || !store) return;
@@ -121,7 +121,7 @@ export abstract class Showing extends Base {
     for (const [part, app] of this.lent) show(app, part.panels, true);
   }
 
-  /** Shows panels of the job in another element: what is to be put into it, or is put into it again. @internal */
+  /** Shows panels of the job in another element; returns their content. @internal */
   async attachPanel(
     part: Borrower,
     again?: App,
@@ -145,12 +145,12 @@ export abstract class Showing extends Base {
     return { app, styles: [styles, partStyles] };
   }
 
-  /** The other element shows them no longer. @internal */
+  /** Ends the panels in another element. @internal */
   detachPanel(part: Borrower): void {
     this.lent.delete(part);
   }
 
-  /** What shows the job's picture: this element, or another one. @internal */
+  /** The app that shows the job's picture: in this element or another one. @internal */
   protected get pictured(): App | undefined {
     return (
       [this.app, ...this.lent.values()].find((app) => app?.hasPicture) ??
@@ -158,7 +158,7 @@ export abstract class Showing extends Base {
     );
   }
 
-  /** The element fires its own `input`; boxes in its slots belong to the page. @internal */
+  /** The element fires its own `input` event; inputs in its slots belong to the host page. @internal */
   protected closes(app: App): void {
     app.addEventListener("input", (event) => {
       const [box] = event.composedPath() as Node[];
@@ -166,7 +166,7 @@ export abstract class Showing extends Base {
     });
   }
 
-  /** Redraws the picture after custom properties were set. @internal */
+  /** Redraws the picture after custom properties have changed. @internal */
   recolour(): void {
     this.store?.dispatchEvent(new Event("recolour"));
   }

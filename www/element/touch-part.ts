@@ -6,15 +6,16 @@ import { Attempt, Base, failure, HERE, takeUp } from "./loading.js";
 import type { TouchPath } from "./touch-path.js";
 
 /**
- * Panels of the job of a `<touch-path>` elsewhere on the page. All of them show the same: what is typed, pointed at or chosen in one is seen in the others. It fills its box.
+ * Panels of the job of a `<touch-path>` elsewhere on the page. All panels share one state: an edit, highlight or selection in one shows in the others. The
+ * element fills its box.
  */
 export class TouchPart extends Base {
   static readonly observedAttributes = ["for", "panels"];
-  /** What it shows where `panels` says nothing else. */
+  /** Panels shown without the attribute `panels`. */
   protected readonly own: PanelName = "form";
-  /** What is shown, and of whose job: kept while this is out of the document. */
+  /** The element whose job is shown and its app; kept while this element is out of the document. */
   private held: { session: TouchPath; app: App } | null = null;
-  /** Whose job is shown, or is about to be. */
+  /** The element whose job is or will be shown. */
   private owner: TouchPath | null = null;
   private asked: unknown = null;
   private root: Node | null = null;
@@ -25,15 +26,18 @@ export class TouchPart extends Base {
     this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
   }
 
-  /** Settles when the panels are shown: this element is in a document, and the one whose job it shows is found and loaded. After `for` or `session` has changed it is another promise. */
+  /**
+   * Settles when the panels are shown: this element is in a document, and the element of its job is found and loaded. A change of `for` or `session` creates a
+   * new promise.
+   */
   get ready(): Promise<void> {
     return this.attempt.ready;
   }
 
-  /** The element whose job it shows: that whose id is in `for`, unless another one is set. */
+  /** The element whose job is shown: the one with the id in `for`, unless `session` was set. */
   get session(): TouchPath | null {
     const session = this.asked ?? this.found();
-    // One whose class is not known yet shows nothing so far.
+    // An element whose class is not defined yet shows nothing.
     return session instanceof HTMLElement && "attachPanel" in session
       ? (session as TouchPath)
       : null;
@@ -44,7 +48,7 @@ export class TouchPart extends Base {
     this.attach();
   }
 
-  /** Which panels are shown, as words with spaces between. */
+  /** The panels shown, as words separated by blanks. */
   get panels(): string {
     const panels = this.getAttribute("panels");
     return panels && isKnown("panels", panels) ? panels : this.own;
@@ -57,7 +61,7 @@ export class TouchPart extends Base {
 
   connectedCallback(): void {
     takeUp(this, ["session", "panels"]);
-    // Its element may be put into the page, or be known, after this one.
+    // The other element may enter the page or be defined after this one.
     this.root = this.getRootNode();
     this.root.addEventListener(HERE, this.meet);
     this.attach();
@@ -92,7 +96,7 @@ export class TouchPart extends Base {
       : null;
   }
 
-  /** An element has come into the page. */
+  /** An element has entered the page. */
   private readonly meet = (): void => {
     if (this.session) this.attach();
   };
@@ -118,7 +122,7 @@ export class TouchPart extends Base {
       attempt.done();
     } catch (why) {
       if (this.owner !== session) return;
-      // It is tried again when the element comes back.
+      // Tries again when the element returns.
       session.detachPanel(this);
       this.owner = null;
       root.replaceChildren(failure(why));
@@ -138,8 +142,8 @@ export class TouchPart extends Base {
  * The form of the job of a `<touch-path>` elsewhere on the page.
  *
  * @tag touch-form
- * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - Panels to show instead of its own one, as words of `panels` of `<touch-path>`; several are shown side by side or as tabs.
+ * @attr {string} for - Id of that element in the same document or shadow root. For an element elsewhere, set the property `session`.
+ * @attr {string} panels - Panels to show instead of the form, as words of `panels` of `<touch-path>`; several appear side by side or as tabs.
  */
 export class TouchForm extends TouchPart {}
 
@@ -147,8 +151,8 @@ export class TouchForm extends TouchPart {}
  * The picture of the job of a `<touch-path>` elsewhere on the page.
  *
  * @tag touch-picture
- * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - Panels to show instead of its own one, as words of `panels` of `<touch-path>`; several are shown side by side or as tabs.
+ * @attr {string} for - Id of that element in the same document or shadow root. For an element elsewhere, set the property `session`.
+ * @attr {string} panels - Panels to show instead of the picture, as words of `panels` of `<touch-path>`; several appear side by side or as tabs.
  */
 export class TouchPicture extends TouchPart {
   protected override readonly own = "stage";
@@ -158,8 +162,8 @@ export class TouchPicture extends TouchPart {
  * The program of the job of a `<touch-path>` elsewhere on the page.
  *
  * @tag touch-program
- * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - Panels to show instead of its own one, as words of `panels` of `<touch-path>`; several are shown side by side or as tabs.
+ * @attr {string} for - Id of that element in the same document or shadow root. For an element elsewhere, set the property `session`.
+ * @attr {string} panels - Panels to show instead of the program, as words of `panels` of `<touch-path>`; several appear side by side or as tabs.
  */
 export class TouchProgram extends TouchPart {
   protected override readonly own = "program";

@@ -1,4 +1,4 @@
-// <touch-path>: the whole of Touchpath as one element.
+// <touch-path>: all of Touchpath as one element.
 import type { Config, Cycle, Finding, Job, Plan } from "../core/types.js";
 import { FIRST_CYCLE } from "../first-cycle.js";
 import type { App } from "../parts/app.js";
@@ -65,7 +65,7 @@ type Units = "mm" | "inch";
  */
 export class TouchPath extends Showing {
   static readonly formAssociated = true;
-  /** The version of the package. If a page loads two versions, the first one defines the elements; the other one is had by `define(name)`. */
+  /** The version of the package. If a page loads two versions, the first one defines the elements; use `define(name)` for the other one. */
   static readonly version = VERSION;
   static readonly observedAttributes = [
     ...INPUTS,
@@ -81,14 +81,14 @@ export class TouchPath extends Showing {
   private readonly inside: ElementInternals;
   private attempt = new Attempt();
   private loading = false;
-  /** What the attributes said before there was anything to put it into, and what was set since. */
+  /** Inputs from attributes before the element is loaded, and inputs set since. */
   private readonly pendingInputs: Inputs = {};
   private readonly later: Inputs = {};
-  /** What is set while the page is shown and its module not there yet; null at any other time. */
+  /** Inputs set while the page is shown without its module; null at any other time. */
   private beforeLoad: Inputs | null = null;
-  /** What the browser puts back into a form. */
+  /** State that the browser restores in a form. */
   private restored: unknown;
-  /** What a form puts back. */
+  /** Job that a form reset restores. */
   private first: unknown;
 
   constructor() {
@@ -99,7 +99,7 @@ export class TouchPath extends Showing {
     this.addEventListener("invalid", this.unseen);
   }
 
-  /** Settles when the element has been put into a document, is loaded and shown; fails where it cannot be loaded. Put into a document again it is tried again, and this is another promise. */
+  /** Settles when the element is in a document, loaded and shown; rejects if it cannot be loaded. Adding it to a document again retries with a new promise. */
   get ready(): Promise<void> {
     return this.attempt.ready;
   }
@@ -128,7 +128,7 @@ export class TouchPath extends Showing {
     this.dispatchEvent(new Event(HERE, { bubbles: true }));
   }
 
-  /** Loads what is shown; where that has failed before, once more. */
+  /** Loads the content; retries after a failure. */
   private begin(): void {
     this.loading = true;
     if (this.attempt.over) this.attempt = new Attempt();
@@ -176,7 +176,10 @@ export class TouchPath extends Showing {
     this.put("job", value);
   }
 
-  /** The rules of the portal: what may be chosen, which fields are fixed, hidden or filled in, where the machine can travel. A copy; `null` without a config. May be set as an object or as JSON; `null` removes it. */
+  /**
+   * The rules of the portal: allowed choices, fields that are fixed, hidden or filled in, and the machine's travel. A copy; `null` without a config. May be set
+   * as an object or as JSON; `null` removes it.
+   */
   get config(): Config | null {
     return structuredClone(this.store?.rules.config ?? null);
   }
@@ -194,7 +197,10 @@ export class TouchPath extends Showing {
     this.put("cycle", value);
   }
 
-  /** The control of the job, by the id of a post in the catalog. Set, it is that of the present job and of every later one that names none; `null` asks for none. */
+  /**
+   * The control of the job, by the id of a post in the catalog. Setting it applies to the current job and to every later one that specifies none; `null`
+   * withdraws it.
+   */
   get post(): string | undefined {
     return this.store?.get("control.post") as string | undefined;
   }
@@ -203,7 +209,7 @@ export class TouchPath extends Showing {
     this.put("post", value);
   }
 
-  /** The units of the job. Set, they convert its values, and are those of every later job that names none; `null` asks for none. */
+  /** The units of the job. Setting them converts its values and applies to every later job that specifies none; `null` withdraws them. */
   get units(): Units | undefined {
     return this.store?.units;
   }
@@ -212,14 +218,14 @@ export class TouchPath extends Showing {
     this.put("units", value);
   }
 
-  /** The plan of the job: a copy; null while the job has errors, or nothing is loaded. */
+  /** The plan of the job: a copy; null while the job has errors or nothing is loaded. */
   get plan(): Plan | null {
     return this.store && !this.store.stale
       ? structuredClone(this.store.plan)
       : null;
   }
 
-  /** Everything that is wrong, unusual or worth knowing about the job: a copy. */
+  /** All errors, warnings and notes about the job: a copy. */
   get findings(): Finding[] {
     return structuredClone(this.store?.findings ?? []);
   }
@@ -233,7 +239,7 @@ export class TouchPath extends Showing {
     this.say("theme", value);
   }
 
-  /** Whether the job can only be looked at. */
+  /** Whether the user cannot change the job. */
   get readonly(): boolean {
     return this.hasAttribute("readonly");
   }
@@ -242,7 +248,7 @@ export class TouchPath extends Showing {
     this.toggleAttribute("readonly", Boolean(value));
   }
 
-  /** What is shown, as words with spaces between. */
+  /** The panels shown, as words separated by blanks. */
   get panels(): string {
     return this.words.get("panels") ?? PANEL_NAMES.join(" ");
   }
@@ -251,7 +257,7 @@ export class TouchPath extends Showing {
     this.say("panels", value);
   }
 
-  /** For whom it is shown: `cam` shows what only the author of a postprocessor needs. */
+  /** Audience: `cam` also shows what only authors of postprocessors need. */
   get mode(): "setter" | "cam" {
     return (this.words.get("mode") ?? (this.store?.cam ? "cam" : "setter")) as
       | "setter"
@@ -312,12 +318,12 @@ export class TouchPath extends Showing {
     store.point(known ? move : null);
   }
 
-  /** The picture in its present view, as SVG text; `null` without a plan. For a job with errors, the picture of its last good plan. */
+  /** The picture in its current view, as SVG text; `null` without a plan. For a job with errors, the picture of its last valid plan. */
   picture(): string | null {
     return this.beforeLoad === null ? (this.pictured?.svg() ?? null) : null;
   }
 
-  /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
+  /** Whether the state is stored in this browser. Set it before the element is added to a document. */
   get storage(): "none" | "local" {
     return this.words.get("storage") === "local" ? "local" : "none";
   }
@@ -335,7 +341,7 @@ export class TouchPath extends Showing {
     this.toggleAttribute("links", Boolean(value));
   }
 
-  /** The name under which a form gets the job. */
+  /** The name of the job in a form. */
   get name(): string {
     return this.getAttribute("name") ?? "";
   }
@@ -390,7 +396,7 @@ export class TouchPath extends Showing {
     return this.inside.form;
   }
 
-  /** Why a form must not be sent; empty where it may. */
+  /** Reason why a form must not be submitted; empty if it may. */
   get validationMessage(): string {
     return this.inside.validationMessage;
   }
@@ -400,24 +406,24 @@ export class TouchPath extends Showing {
     return this.inside.checkValidity();
   }
 
-  /** The same, and the browser says why not. */
+  /** Like `checkValidity`; the browser also shows the reason. */
   reportValidity(): boolean {
     return this.inside.reportValidity();
   }
 
-  /** To the first field of the form. */
+  /** Focuses the first field of the form. */
   override focus(options?: FocusOptions): void {
     if (this.app) this.app.focusFirst(options);
     else super.focus(options);
   }
 
-  /** The form around the element is put back: so is the job that was there first. */
+  /** The form around the element was reset: restores the first job. */
   formResetCallback(): void {
     this.store?.outside.forget();
     if (this.store) this.put("job", this.first);
   }
 
-  /** A form that is sent cannot put the focus into an element that is not seen: it goes to what is wrong in the form elsewhere. */
+  /** A form cannot focus an element that is not visible: focuses the field with the error in the form elsewhere. */
   private readonly unseen = (event: Event): void => {
     if (this.checkVisibility() || this.lent.size === 0) return;
     event.preventDefault();
@@ -430,7 +436,7 @@ export class TouchPath extends Showing {
     this.applyOptions();
   }
 
-  /** The browser puts back what a form held before the page was left. */
+  /** The browser restores the value of a form after navigation. */
   formStateRestoreCallback(state: unknown): void {
     if (typeof state !== "string") return;
     this.store?.outside.forget();
@@ -438,7 +444,10 @@ export class TouchPath extends Showing {
     else this.restored = state;
   }
 
-  /** Takes what is set at one time, in whatever order it was said: a job names its own control and units, or has those beside it; a cycle beside it is its cycle. @internal */
+  /**
+   * Applies inputs that are set together, in any order. A job specifies its own control and units or gets the others; a cycle beside it replaces its cycle.
+   * @internal
+   */
   take({ config, job, cycle, post, units, measured }: Inputs): void {
     for (const [input, value] of Object.entries({
       config,
@@ -457,7 +466,7 @@ export class TouchPath extends Showing {
       this.put("cycle", cycle);
   }
 
-  /** The config from a script in the element's markup. */
+  /** The config in a script inside the element's markup. */
   private inScript(): string | undefined {
     return (
       this.querySelector(':scope > script[type="application/json"]')
@@ -471,13 +480,13 @@ export class TouchPath extends Showing {
 
   private async load(): Promise<void> {
     try {
-      // One module for every element of the page, and with it one WebAssembly module.
+      // One module, and with it one WebAssembly module, for every element of the page.
       const { App, Store, awaited, bufferInput, kept, styles } = await import(
         "../parts/app.js"
       );
       const local = this.storage === "local";
       const given = { config: this.inScript(), ...this.pendingInputs };
-      // Before the module is there only the job of a first visit can be shown: another tab may have kept one by now.
+      // Without the module only the first job can be shown; another tab may have stored one by now.
       const inputs = { ...given, ...this.later, restored: this.restored };
       if (
         Object.values(inputs).some((value) => value !== undefined) ||
@@ -504,7 +513,7 @@ export class TouchPath extends Showing {
         local,
         links: this.hasAttribute("links"),
       });
-      // The words are there before anything is shown; where they do not come, English is shown until they do.
+      // The words load before anything is shown; if they do not arrive, English is shown until they do.
       await Promise.race([
         app.reword(),
         new Promise((done) => setTimeout(done, 3000)),
@@ -515,7 +524,7 @@ export class TouchPath extends Showing {
       followJob(this, this.inside, { store, app });
       this.closes(app);
       if (this.words.has("view")) app.view = this.words.get("view") as View;
-      // One that was taken out meanwhile is drawn when it is put in again.
+      // An element that was removed meanwhile is drawn when it is added again.
       if (this.isConnected) await app.updateComplete;
       if (this.beforeLoad) await this.arrive(app, bufferInput(this.shadow));
     } catch (thrown) {
@@ -524,7 +533,7 @@ export class TouchPath extends Showing {
     }
   }
 
-  /** Waits for the module, and catches up with what was typed and set until then. */
+  /** Waits for the module, then applies input that was buffered until then. */
   private async arrive(
     app: App,
     release: (enter: boolean) => void,
@@ -542,7 +551,7 @@ export class TouchPath extends Showing {
     release(true);
   }
 
-  /** Takes an input as soon as there is something to put it into. Undefined says nothing, null that nothing is asked for any more. */
+  /** Applies an input, or keeps it until it can. Undefined means nothing was set; null withdraws a request. */
   private put(input: Input, value: unknown, early = this.later): void {
     if (value === undefined || (value === null && input === "job")) return;
     if (!this.store) early[input] = value;
@@ -551,7 +560,7 @@ export class TouchPath extends Showing {
     else if (input !== "job" && input !== "measured")
       this.store.outside.release(input);
     if (this.store && input === "config") this.applyOptions();
-    // A form that is sent before anything is loaded sends what it was given.
+    // A form that is submitted before the element is loaded submits the given job.
     if (!this.store && input === "job") {
       this.inside.setFormValue(textOf(value));
       this.inside.setValidity(
@@ -561,7 +570,7 @@ export class TouchPath extends Showing {
     }
   }
 
-  /** Takes an input, or says why it cannot be taken. */
+  /** Applies an input, or reports why it cannot be applied. */
   private use(input: Input, value: unknown): void {
     const refused = this.store?.outside.input(input, value) ?? [];
     if (refused.length > 0)
@@ -569,7 +578,7 @@ export class TouchPath extends Showing {
   }
 }
 
-/** The value as JSON; null if JSON cannot hold it. */
+/** The value as JSON; null if JSON cannot represent it. */
 function textOf(value: unknown): string | null {
   try {
     return typeof value === "string" ? value : (JSON.stringify(value) ?? null);

@@ -1,4 +1,4 @@
-// What the command says without a job of its own: what a code means, a new job, tool lengths, a job in other units, help for one command.
+// Commands without jobs: the meaning of a code, a new job, tool lengths, conversion of units, help for one command.
 import {
   catalog,
   convertUnits,
@@ -13,7 +13,7 @@ import { CODES, RULES } from "./codes.js";
 import { Refused } from "./folder.js";
 import { parsed } from "./tasks.js";
 
-/** How many letters have to change, come or go to make one word of another. */
+/** Edit distance of two words. */
 function apart(one: string, other: string): number {
   let row = Array.from({ length: other.length + 1 }, (_, i) => i);
   for (const [i, letter] of [...one].entries()) {
@@ -31,7 +31,7 @@ function apart(one: string, other: string): number {
   return row.at(-1) ?? 0;
 }
 
-/** `. Did you mean check?`, where a word of the list is near; else nothing. */
+/** `. Did you mean check?` if the list has a similar word; else empty. */
 export function meant(word: string, list: readonly string[]): string {
   const near = list.map((known) => ({
     known,
@@ -43,7 +43,7 @@ export function meant(word: string, list: readonly string[]): string {
     : "";
 }
 
-/** What a code of a finding or a safety rule means. */
+/** Meaning of the code of a finding or a safety rule. */
 export function explain(code: string, json: boolean): string {
   const word = code.toLowerCase();
   const own = <T>(table: Record<string, T>) =>
@@ -62,7 +62,7 @@ export function explain(code: string, json: boolean): string {
     : `${word}\n\n${meaning}\n`;
 }
 
-/** A job of a cycle with every value, ready to be changed. */
+/** A job of a cycle with every value, ready to edit. */
 export function newJob(
   type: string,
   given: { post?: string; form?: string; units?: string },
@@ -133,7 +133,7 @@ function objectOf(text: string): object {
   return value;
 }
 
-/** Whether JSON can hold every number of a value again. */
+/** Whether JSON can represent every number of a value. */
 const isWritable = (value: unknown): boolean =>
   typeof value === "object" && value !== null
     ? Object.values(value).every(isWritable)

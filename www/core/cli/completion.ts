@@ -1,4 +1,4 @@
-// Scripts that complete the command in a shell, made from the command's own lists.
+// Completion scripts for shells, made from the command's own lists.
 import { catalog } from "../node.js";
 import { meant } from "./about.js";
 import { CODES, RULES } from "./codes.js";
@@ -30,7 +30,7 @@ export function completion(shell: string, completed: Completed): string {
 
 type Behind = Record<string, readonly string[]>;
 
-/** Words, in order, one by one: the shell takes them apart again. */
+/** Words in order, separated by blanks: the shell splits them again. */
 const joined = (words: readonly string[]) => `"${words.join(" ")}"`;
 
 function bash(

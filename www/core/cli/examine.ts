@@ -1,4 +1,4 @@
-// What the command says of a program that someone else wrote: its safety rules, what it asks for, the cycles that it calls.
+// The `examine` command: safety rules of any program, the variables it needs, the native cycles it calls.
 import {
   type ProgramKnown,
   type ProgramRun,
@@ -6,7 +6,7 @@ import {
   version,
 } from "../node.js";
 
-/** How a report is written. */
+/** Format of a report. */
 export type ReportFormat = "text" | "json" | "sarif";
 
 /** A report, and whether the program breaks a rule. */
@@ -31,7 +31,7 @@ export function examined(
   return { run, text: write(run, source), broken };
 }
 
-/** 0-based lines as an editor counts them, the first few of many. */
+/** Line numbers from 1, as an editor counts; only the first few of many. */
 function listed(lines: number[]): string {
   const shown = lines.slice(0, 12).map((line) => line + 1);
   const more = lines.length > shown.length ? ", …" : "";
@@ -81,7 +81,7 @@ function asJson(
   return `${JSON.stringify({ source, dialect, units, plane, moves: kind.length, rules, asks, calls, findings })}\n`;
 }
 
-/** The results of one program as SARIF has them, as a JSON list. */
+/** The SARIF results of one program, as a JSON list. */
 function asResults(run: ProgramRun, source: string): string {
   const places = (lines: number[]) =>
     (lines.length === 0 ? [null] : lines).map((line) => ({
@@ -119,7 +119,7 @@ function asResults(run: ProgramRun, source: string): string {
   return JSON.stringify([...rules, ...calls, ...findings]);
 }
 
-/** One SARIF log (2.1.0) of the results of every program. */
+/** One SARIF log (2.1.0) with the results of every program. */
 export function sarif(lists: string[]): string {
   const results = lists.flatMap(
     (list) => JSON.parse(list) as { ruleId: string }[],

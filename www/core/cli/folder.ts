@@ -1,5 +1,5 @@
-// The files of a run. They are written aside and put into their places at the end, each whole: a run that is refused, interrupted, or out of space
-// leaves every file as it was.
+// The output files of a run. They are written to a temporary folder and moved into place at the end. A run that is refused, interrupted or out of space leaves
+// every file as it was.
 import { createHash } from "node:crypto";
 import { createReadStream, existsSync, rmdirSync, rmSync } from "node:fs";
 import {
@@ -19,55 +19,55 @@ import { dirname, join } from "node:path";
 import { programStem } from "../names.js";
 import type { Outcome } from "./tasks.js";
 
-/** Wrong use, or what the system refuses: exit code 2. */
+/** Wrong use, or an error of the operating system: exit code 2. */
 export class Refused extends Error {}
 
-/** How the names of what is written aside begin. */
+/** Prefix of the names of temporary folders. */
 const ASIDE = ".touchpath-";
-/** What a run that was killed has left aside is removed after so many milliseconds. */
+/** Age in milliseconds after which the leftovers of a killed run are removed. */
 const STALE = 86_400_000;
-/** So many files are brought to the disk at once. */
+/** Number of files that are synced to the disk in parallel. */
 const AT_ONCE = 16;
-/** Where the lines for the end lie aside, and so many characters of them do not. */
+/** Temporary file with lines for the end, and the number of characters kept in memory instead. */
 const LINES = "lines";
 const MOST_LINES = 1_000_000;
-/** So many mistakes are named. */
+/** Maximum number of errors listed. */
 const MOST_NAMED = 5;
 
-/** Which file a path leads to, whatever it is called; null if the file does not exist. */
+/** The file that a path leads to, with links resolved; null if it does not exist. */
 export async function fileAt(path: string): Promise<string | null> {
   const there = await stat(path, { bigint: true }).catch(() => null);
   return there && `${there.dev}:${there.ino}`;
 }
 
-/** A file that has no place yet. */
+/** A file that is not in its place yet. */
 interface Waiting {
   source: string;
-  /** Below the folder. */
+  /** Path below the folder. */
   file: string;
 }
 
 export class Folder {
   private readonly waiting: Waiting[] = [];
-  /** The files by their names without regard to case, as some systems see them. */
+  /** Files by their lower-case names, because some systems ignore case. */
   private readonly taken = new Map<string, Waiting>();
   private readonly clashes: string[] = [];
-  /** Where files are written first: inside the folder, so that they need not be copied. */
+  /** Temporary folder inside the output folder, so that files are moved and not copied. */
   private aside = "";
-  /** What is said of the jobs at the end, as much of it as is not written aside. */
+  /** Lines for the end that are not in the temporary file yet. */
   private lines = "";
-  /** The topmost folder that was made. */
+  /** Topmost folder that was created. */
   private made: string | undefined;
 
   constructor(
     private readonly folder: string,
-    /** The files that the jobs come from. */
+    /** Input files of the jobs. */
     private readonly inputs: Set<string>,
-    /** Whether all files go into the folder itself, or below it into folders as those of the jobs. */
+    /** Whether all files go directly into the folder, else into subfolders like those of the jobs. */
     private readonly flat: boolean,
   ) {}
 
-  /** Makes the folder, where that is not done: after the first job was read, so that a mistake in the arguments leaves none behind. */
+  /** Creates the folder after the first job was read, so that an error in the arguments leaves no folder. */
   async make(): Promise<void> {
     if (this.aside) return;
     try {
@@ -82,7 +82,7 @@ export class Folder {
     }
   }
 
-  /** Writes a file aside; gives its name and the SHA-256 of its bytes. */
+  /** Writes a temporary file; returns its name and the SHA-256 of its bytes. */
   async put(
     source: string,
     place: string,
@@ -122,7 +122,7 @@ export class Folder {
     this.lines = "";
   }
 
-  /** The lines that were kept, in pieces. */
+  /** The kept lines, in pieces. */
   async *noted(): AsyncGenerator<string> {
     const path = join(this.aside, LINES);
     if (this.aside && existsSync(path)) yield* createReadStream(path, "utf8");
@@ -168,12 +168,12 @@ export class Folder {
     this.made = undefined;
   }
 
-  /** Removes what lies aside, at once: for the end of the process. A folder that was made for nothing goes, too. */
+  /** Removes the temporary files synchronously, for the end of the process, and a folder that was created for nothing. */
   leave(): void {
     if (this.aside) rmSync(this.aside, { recursive: true, force: true });
     if (this.made === undefined) return;
     try {
-      // Only what is empty goes.
+      // Removes only empty folders.
       for (let folder = this.folder; ; folder = dirname(folder)) {
         rmdirSync(folder);
         if (folder === this.made || folder === dirname(folder)) break;
@@ -181,7 +181,7 @@ export class Folder {
     } catch {}
   }
 
-  /** Whether one of the files is where this one needs a folder. */
+  /** Whether a file exists where this one needs a folder. */
   private leadsThrough(file: string): boolean {
     const folder = dirname(file);
     if (folder === "." || folder === file) return false;
@@ -191,13 +191,13 @@ export class Folder {
     );
   }
 
-  /** Brings a file to the disk, so that even after a power failure it is whole in its place. */
+  /** Syncs a file to the disk, so that it is complete even after a power failure. */
   private async sync(index: number): Promise<void> {
     const handle = await open(join(this.aside, String(index)), "r+");
     await handle.datasync().finally(() => handle.close());
   }
 
-  /** Puts a file into its place, with the rights of the one that was there. A link stays, and what it leads to is replaced. */
+  /** Moves a file into place with the permissions of the file that it replaces. A link stays; its target is replaced. */
   private async place(from: string, to: string): Promise<void> {
     const target = await realpath(to).catch(() => to);
     const before = await stat(target).catch(() => null);
@@ -206,7 +206,7 @@ export class Folder {
       await rename(from, target);
     } catch (thrown) {
       if ((thrown as NodeJS.ErrnoException).code !== "EXDEV") throw thrown;
-      // On another disk it is copied beside its place first.
+      // On another disk the file is copied next to its target first.
       const beside = join(await mkdtemp(join(dirname(target), ASIDE)), "file");
       try {
         await copyFile(from, beside);
@@ -224,7 +224,7 @@ export class Folder {
       await rm(path, { recursive: true, force: true });
   }
 
-  /** Does what the system may refuse. `before`: how many files are in their places. */
+  /** Runs an operation that the system may refuse. `before`: number of files already in place. */
   private async refusing(
     file: string,
     work: () => Promise<unknown>,

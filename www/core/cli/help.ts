@@ -1,9 +1,9 @@
-// The commands and their options, as the help prints them and a shell completes them.
+// Commands and their options, for the help text and the completion of shells.
 import { catalog, version } from "../node.js";
 import type { completion } from "./completion.js";
 import { LIMITS } from "./limits.js";
 
-/** The commands: what follows each, what it gives, its formats. */
+/** Commands with their arguments, output and formats. */
 const COMMANDS = {
   plan: ["JOB…", "the program of every job"],
   check: ["JOB…", "errors, warnings and notes"],
@@ -52,14 +52,14 @@ const COMMANDS = {
 export type Command = keyof typeof COMMANDS;
 export const NAMES = Object.keys(COMMANDS) as Command[];
 
-/** Those that take jobs, and those that take programs. */
+/** Commands that take jobs, and those that take programs. */
 export const JOBS = ["plan", "check", "table", "svg", "evaluate", "report"];
 const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 
 /** The file of rules that is found automatically. */
 export const CONFIG_FILE = "touchpath.config.json";
 
-/** The options: as they are typed, what they do, the commands that take them. */
+/** Options: spelling, description, and the commands that accept them. */
 const HELP_OF_OPTIONS: readonly (readonly [
   string,
   string,
@@ -183,7 +183,7 @@ source, its file with the SHA-256, the control and its findings (as JSON with --
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
 program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use, 141 the output pipe was closed before all jobs were checked.`;
 
-/** A line of the help for each command, and what it gives. */
+/** Help line of each command, and its output. */
 function usage(command: Command): string {
   const [after, about, formats]: readonly [string, string, string?] =
     COMMANDS[command];
@@ -194,7 +194,7 @@ function usage(command: Command): string {
 const options = (list: typeof HELP_OF_OPTIONS) =>
   list.map(([flag, about]) => `  ${flag.padEnd(17)} ${about}`).join("\n");
 
-/** The help: of one command with the options that it takes, or of all. */
+/** The help: for one command with its options, or for all. */
 export function help(command?: Command): string {
   if (command) {
     const own = HELP_OF_OPTIONS.filter(([, , commands]) =>
@@ -221,7 +221,7 @@ ${ENDS}
 `;
 }
 
-/** What a shell completes. */
+/** Data for the completion of a shell. */
 export function completed(): Parameters<typeof completion>[1] {
   const flags = (command: Command) =>
     HELP_OF_OPTIONS.filter(([, , commands]) =>

@@ -1,4 +1,4 @@
-// What the command reads: the files of its arguments, the jobs in them, and the rules that they are judged by.
+// Inputs of the command: the files of its arguments, the jobs in them, and the config.
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { dirname, extname, join, relative, resolve, sep } from "node:path";
@@ -11,7 +11,7 @@ import type { Values } from "./options.js";
 import type { Progress } from "./progress.js";
 import type { Item } from "./tasks.js";
 
-/** The files that the arguments name, each once, in order. A pattern that matches nothing is a mistake, not nothing to do. */
+/** Files of the arguments, each once, in order. A pattern without a match is an error. */
 export async function filesOf(
   names: string[],
   folders = false,
@@ -45,7 +45,7 @@ export async function filesOf(
   return [...new Set(files)];
 }
 
-/** The folders of a file as its output keeps them: those below the present folder; of a file elsewhere all but the way up. */
+/** Folders that the output of a file keeps: those below the current folder; for a file elsewhere, its path without `..`. */
 function placeOf(file: string): string {
   if (file === "-") return "";
   const folders = relative(process.cwd(), dirname(resolve(file))).split(sep);
@@ -61,7 +61,7 @@ export const isLines = (file: string, values: Values) =>
 const streamOf = (file: string) =>
   file === "-" ? process.stdin : createReadStream(file);
 
-/** Every job of the files, one after the other, never more than are asked for. */
+/** Every job of the files, one after the other, read only on demand. */
 export async function* itemsOf(
   files: string[],
   values: Values,
@@ -101,7 +101,7 @@ export async function* itemsOf(
   }
 }
 
-/** The text of a file. Of one that is longer than any job may be, no more is read. */
+/** The text of a file. Reading stops at the maximum length of a job. */
 async function whole(
   file: string,
   longest: number,
@@ -114,7 +114,7 @@ async function whole(
     streamOf(file)) {
     const bytes = Buffer.from(chunk);
     size += bytes.length;
-    // A character has four bytes at most.
+    // A character has at most four bytes.
     if (size > 4 * longest) return { text: "", refused };
     chunks.push(bytes);
   }
@@ -122,7 +122,7 @@ async function whole(
   return text.length > longest ? { text: "", refused } : { text };
 }
 
-/** What was measured. */
+/** Text of the measurements. */
 export async function textOf(file: string): Promise<string> {
   const longest = catalog().longestText;
   try {
@@ -138,7 +138,7 @@ export async function textOf(file: string): Promise<string> {
   }
 }
 
-/** The rules that jobs are judged by: of the file that is named, or else of the nearest one. */
+/** The config of a run: of the given file, or else the nearest one. */
 export async function configFor(values: Values): Promise<Config | undefined> {
   if (values.config !== undefined && values["no-config"])
     throw new Refused("--config and --no-config are not for one run");
@@ -152,7 +152,7 @@ export async function configFor(values: Values): Promise<Config | undefined> {
   }
 }
 
-/** The rules of a file. */
+/** Reads a config file. */
 async function configOf(file: string): Promise<Config> {
   let config: unknown;
   try {

@@ -1,12 +1,12 @@
-// What bounds a service: beside it, so that the command's help does not load it.
-/** What a service may be asked for, and how long it waits. */
+// Limits of the service, in a file of their own so that the help does not load the service.
+/** Limits of requests, and how long the service waits. */
 export interface Limits {
-  /** Bytes of a body. */
+  /** Maximum size of a body, bytes. */
   body: number;
-  /** Requests at once. */
+  /** Maximum number of parallel requests. */
   requests: number;
   connections: number;
-  /** Milliseconds for a request to come, for an answer, and for what is under way when the service ends. */
+  /** Milliseconds for a request to arrive, for an answer, and for pending work when the service ends. */
   wait: number;
 }
 export const LIMITS: Limits = {

@@ -1,11 +1,11 @@
-// The lines of a stream, one after the other, whatever it is cut into. A line is never longer than it may be: the rest of it is passed over.
+// Splits a stream into lines, independent of its chunks. The rest of a line that is too long is skipped.
 import { StringDecoder } from "node:string_decoder";
 
 export interface Line {
-  /** Counted from 1. */
+  /** Line number, from 1. */
   number: number;
   text: string;
-  /** Whether the line was longer than it may be; there is no text then. */
+  /** Whether the line was too long; it then has no text. */
   tooLong: boolean;
 }
 

@@ -1,4 +1,4 @@
-// The list of a folder of programs: the job of each file, with its hash.
+// Manifest of a folder of programs: the job of each file, with its hash.
 import { createHash } from "node:crypto";
 import { readFile, stat } from "node:fs/promises";
 import { isAbsolute, join, relative, resolve, sep } from "node:path";
@@ -8,12 +8,12 @@ import { Refused } from "./folder.js";
 import { type Outcome, perform, type Task } from "./tasks.js";
 import { type Verified, verifiedText } from "./verify.js";
 
-/** A file of the list. Paths begin at the folder. */
+/** A file in the manifest. Paths are relative to the folder. */
 export interface Listed {
   file: string;
   sha256: string;
   control: string | null;
-  /** The job's file, its line where that holds a job a line, and the SHA-256 of the job's text; no file where it came by the standard input. */
+  /** File of the job, its line in a file with a job per line, and the SHA-256 of its text. The file is null for a job from standard input. */
   job: { file: string | null; line: number | null; sha256: string };
 }
 
@@ -22,7 +22,7 @@ interface Manifest {
   files: Listed[];
 }
 
-/** What the list is called in its folder. */
+/** File name of the manifest. */
 export const LIST = { name: "manifest", ending: ".json" };
 const MANIFEST = `${LIST.name}${LIST.ending}`;
 
@@ -31,7 +31,7 @@ const hashOf = (text: string | Uint8Array) =>
 const posix = (path: string) => path.split(sep).join("/");
 const byName = (a: string, b: string) => (a < b ? -1 : Number(a > b));
 
-/** The list of what was written into a folder, as text. */
+/** Manifest of the files written into a folder, as text. */
 export function manifestOf(
   folder: string,
   made: { outcome: Outcome; file: string; hash: string }[],
@@ -57,7 +57,7 @@ export function manifestOf(
   return `${JSON.stringify(list, null, 2)}\n`;
 }
 
-/** The list of a folder. */
+/** Reads the manifest of a folder. */
 async function listOf(folder: string): Promise<Listed[]> {
   const path = join(folder, MANIFEST);
   let list: unknown;
@@ -75,7 +75,7 @@ async function listOf(folder: string): Promise<Listed[]> {
   return files;
 }
 
-/** Whether something is an entry of a list, of a file inside its folder. */
+/** Whether a value is a manifest entry for a file inside its folder. */
 function isListed(one: unknown): one is Listed {
   const { file, sha256, control, job } = (one ?? {}) as Partial<Listed>;
   const isText = (value: unknown) => typeof value === "string";
@@ -91,7 +91,7 @@ function isListed(one: unknown): one is Listed {
   );
 }
 
-/** The bytes of a plain file that is no longer than a program may be; null where there is none. */
+/** Bytes of a plain file up to the maximum length of a program; null without one. */
 async function bytesOf(path: string): Promise<Buffer | null> {
   const there = await stat(path).catch(() => null);
   return there?.isFile() && there.size <= 4 * catalog().longestProgram
@@ -99,7 +99,7 @@ async function bytesOf(path: string): Promise<Buffer | null> {
     : null;
 }
 
-/** Holds a folder against its list: every file of it, its job, and what is not on it. */
+/** Compares a folder with its manifest: every file, its job, and files that are not listed. */
 export async function* heldAgainst(
   folder: string,
   task: Task,
@@ -133,7 +133,7 @@ export async function* heldAgainst(
     else if (hashOf(bytes) !== sha256)
       yield outcome(source, "changed", "has changed since it was listed");
     else {
-      // As a caller would name it.
+      // The path as a caller would write it.
       const named =
         job.file === null
           ? ""
@@ -166,7 +166,7 @@ export async function* heldAgainst(
       yield outcome(join(folder, file), "unlisted", "is not on the list");
 }
 
-/** The text of a job in its file; null where it is not there. */
+/** Text of a job in its file; null if it is missing. */
 async function jobOf(
   bytes: Buffer | null,
   line: number | null,

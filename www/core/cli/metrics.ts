@@ -1,10 +1,10 @@
-// What a service counts, as Prometheus reads it.
+// Counters of the service in the format of Prometheus.
 
-/** Ends of the histogram of answers, seconds. */
+/** Upper bounds of the response time histogram, seconds. */
 const ENDS = [0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10];
 
 interface Times {
-  /** How many took no longer than each end. */
+  /** Number of requests up to each bound. */
   within: number[];
   sum: number;
   count: number;
@@ -14,7 +14,7 @@ export class Metrics {
   private readonly requests = new Map<string, number>();
   private readonly times = new Map<string, Times>();
 
-  /** A request was answered. Of routes that are not there all count as one: a client cannot add names to the metrics. */
+  /** Counts an answered request. Unknown routes share one name, so a client cannot add names. */
   count(route: string, status: number, seconds: number): void {
     const path = route === "*" || route === "/*" ? "other" : route;
     const key = `route="${path}",status="${status}"`;

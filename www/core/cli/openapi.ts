@@ -1,4 +1,4 @@
-// What the service takes and gives, for clients: the package's own schemas.
+// OpenAPI description of the service, made from the package's own schemas.
 import { jobSchema, version } from "../node.js";
 import type { Route } from "./routes.js";
 
@@ -27,7 +27,7 @@ const answer = (description: string, type: string, schema: object) => ({
   content: content(type, schema),
 });
 
-/** What may go wrong with a request. */
+/** Possible errors of a request. */
 const FAULTS: readonly [string, string][] = [
   ["400", "The body is no JSON, or the query says what there is not"],
   ["412", "The answer is the one whose ETag If-None-Match says"],
@@ -39,7 +39,7 @@ const FAULTS: readonly [string, string][] = [
   ["504", "The answer took too long"],
 ];
 
-/** The answer of a route that is good. */
+/** Successful answer of a route. */
 function good({ path, gives, id }: Route) {
   if (path === "/check")
     return answer("Good", gives.type, {
@@ -65,7 +65,7 @@ function good({ path, gives, id }: Route) {
 
 function takes(route: Route) {
   if (route.takes === "text") return content("text/plain", text);
-  // What is wrong with a job is a finding, so that any job may be sent.
+  // Errors of a job are findings, so any job may be sent.
   if (route.takes === "job")
     return content(
       "application/json",
@@ -82,7 +82,7 @@ function takes(route: Route) {
   );
 }
 
-/** The description of a service. `answers` is the schema of what comes out. */
+/** OpenAPI description. `answers`: schema of the answers. */
 export function openapi(
   routes: readonly Route[],
   answers: Record<string, unknown>,
@@ -187,7 +187,7 @@ export function openapi(
       responses: metrics,
     },
   };
-  // The definitions go under components, the job beside them.
+  // The definitions move to components, beside the job.
   const here = JSON.stringify(answers.$defs)
     .replaceAll("#/$defs/", "#/components/schemas/")
     .replaceAll("urn:touchpath:job:1", "#/components/schemas/Job");

@@ -1,4 +1,4 @@
-// The options of the command, and the task that they say.
+// Options of the command, and the task they describe.
 import type { parseArgs } from "node:util";
 import { catalog, type ProgramKnown } from "../node.js";
 import { PROGRAM_POSTS } from "../program-posts.js";
@@ -44,7 +44,7 @@ export type Values = ReturnType<
   typeof parseArgs<{ options: typeof OPTIONS }>
 >["values"];
 
-/** One of a list, or wrong use. */
+/** Checks that a value is in a list, else reports wrong use. */
 export function oneOf<T extends string>(
   what: string,
   value: string,
@@ -58,7 +58,7 @@ export function oneOf<T extends string>(
   return found;
 }
 
-/** The task that the options say. */
+/** The task that the options describe. */
 export function taskOf(command: Task["command"], values: Values): Task {
   const task: Task = { command };
   const only = (option: keyof Values, ...commands: string[]) => {
@@ -134,7 +134,7 @@ export function taskOf(command: Task["command"], values: Values): Task {
   return task;
 }
 
-/** What the options say of a program. */
+/** Inputs of a program from the options. */
 function knownOf(values: Values): ProgramKnown {
   const number = (option: string, text: string) => {
     const value = Number(text);
@@ -191,7 +191,7 @@ export function countOf(
   return value;
 }
 
-/** On how many threads. */
+/** Number of threads. */
 export function threadsOf(values: Values, usual: number): number {
   return values.jobs === undefined
     ? usual

@@ -1,4 +1,4 @@
-// What the command hands out: outputs, findings and reports, to the streams or into files.
+// Writes outputs, findings and reports of the command to streams or files.
 import type { Finding } from "../node.js";
 import { sarif } from "./examine.js";
 import type { Folder } from "./folder.js";
@@ -8,7 +8,7 @@ import type { Progress } from "./progress.js";
 import { github, junit } from "./reporters.js";
 import type { Outcome, PlacedFinding, Task } from "./tasks.js";
 
-/** Writes, and waits where the reader is slow. */
+/** Writes and waits for a slow reader. */
 export async function write(
   stream: NodeJS.WriteStream,
   text: string,
@@ -17,14 +17,14 @@ export async function write(
   await new Promise<void>((done) => stream.once("drain", done));
 }
 
-/** A finding for people. */
+/** A finding as text. */
 const said = (
   source: string,
   { level, path, message, code, line, column }: PlacedFinding,
 ) =>
   `${source}${line === undefined ? "" : `:${line}:${column}`}: ${level}: ${path ? `${path}: ` : ""}${message} [${code}]\n`;
 
-/** How many findings there are of each level that matters, for people. */
+/** Number of errors and warnings as text. */
 function counted(findings: Finding[]): string {
   const count = (level: Finding["level"]) => {
     const { length } = findings.filter((finding) => finding.level === level);
@@ -35,7 +35,7 @@ function counted(findings: Finding[]): string {
     .join("");
 }
 
-/** What became of a job, in one line: its file, with the SHA-256 of it, the control and the findings. */
+/** Outcome of a job in one JSON line: its file with SHA-256, the control and the findings. */
 function outcomeLine(
   { source, control, findings }: Outcome,
   file: string | null,
@@ -51,14 +51,14 @@ function outcomeLine(
   return `${source}: ${made}${counted(findings)}\n`;
 }
 
-/** The findings of a job, for people or as JSON. */
+/** Findings of a job as text or JSON. */
 async function report(
   task: Task,
   values: Values,
   { source, output, findings, failed }: Outcome,
 ): Promise<void> {
   const to = task.command === "check" ? process.stdout : process.stderr;
-  // A whole plan has its findings in it.
+  // A whole plan contains its findings.
   if (task.command === "plan" && task.whole && output) return;
   if (values.json) {
     if (task.command === "check" || findings.length > 0)
@@ -74,12 +74,12 @@ async function report(
       await write(to, said(source, finding));
 }
 
-/** Whether a warning counts as an error, and there is one. */
+/** Whether warnings count as errors and there is one. */
 const isDenied = (values: Values, { findings }: Outcome) =>
   values["deny-warnings"] === true &&
   findings.some(({ level }) => level === "warning");
 
-/** Hands out what became of every job; whether there was an error in any. */
+/** Writes the outcome of every job. Returns whether any had an error. */
 export async function handOut(
   task: Task,
   values: Values,
@@ -124,7 +124,7 @@ export async function handOut(
       continue;
     }
     if (output) await write(process.stdout, output.text);
-    // A report has its findings in it, but as text.
+    // A report contains its findings, except as text.
     const within = task.command === "examine" || task.command === "verify";
     if (!within || (task.format ?? "text") === "text")
       await report(task, values, outcome);
@@ -138,7 +138,7 @@ export async function handOut(
   return failed;
 }
 
-/** Puts the output of every job into a file of its own, all of them or none, and says of every job what became of it; whether there was an error in any. */
+/** Writes the output of every job into a file of its own, all or none, and reports each outcome. Returns whether any had an error. */
 export async function fileAway(
   task: Task,
   values: Values,

@@ -1,13 +1,13 @@
 // Position of a finding in the text of a job.
 import { type Node, parseTree } from "jsonc-parser";
 
-/** A place in a text, both counted from 1. */
+/** A position in a text: line and column from 1. */
 export interface Place {
   line: number;
   column: number;
 }
 
-/** The entry of an object or a list that a path leads into, and the rest of the path. Of a key that is there twice the last one counts. */
+/** The entry of an object or list that a path starts with, and the rest of the path. For a duplicate key the last one counts. */
 function step(
   { type, children = [] }: Node,
   path: string,
@@ -19,7 +19,7 @@ function step(
       ? { at: value, value, rest: path.slice(whole.length) }
       : null;
   }
-  // A key may have dots in it: the longest that fits is meant.
+  // A key may contain dots: the longest match counts.
   let longest = "";
   let found: Node | null = null;
   for (const property of children) {
@@ -38,7 +38,7 @@ function step(
 
 /** Finds the positions of paths such as `cycles[1].origin[0]` in a JSON text; a missing value has the position of its object. Empty if the text is not JSON. */
 export function placesIn(text: string): (path: string) => Place | null {
-  // A byte order mark is one character, and no JSON.
+  // A byte order mark is one character and no JSON.
   const tree = parseTree(text.replace(/^\uFEFF/, " "));
   const ends = [...text.matchAll(/\n/g)].map(({ index }) => index);
   return (path) => {

@@ -1,9 +1,8 @@
-// Many jobs over several threads: the outcomes come in the order of the jobs, as soon as they are there, and never more are under way than the
-// threads can use.
+// Runs many jobs on several threads. Outcomes keep the order of the jobs and are returned as soon as possible. The number of pending jobs is bounded.
 import { Worker } from "node:worker_threads";
 import { type Item, type Outcome, perform, type Task } from "./tasks.js";
 
-/** So many jobs, or so many characters of them, cross to a thread at once: crossing costs more than a small job. */
+/** Batch size: jobs, and characters in total. Passing a message to a thread costs more than a small job. */
 const BUNCH = { jobs: 64, characters: 250_000 };
 
 interface Waiting {
@@ -11,11 +10,11 @@ interface Waiting {
   fail(why: Error): void;
 }
 
-/** A thread, which answers in the order in which it is asked. */
+/** A thread. It answers in the order of its requests. */
 export class Thread {
   private readonly worker: Worker;
   private readonly waiting: Waiting[] = [];
-  /** Why it answers no more. */
+  /** Error that ended the thread. */
   private dead: Error | null = null;
 
   constructor() {
@@ -34,7 +33,7 @@ export class Thread {
       if (this.dead) fail(this.dead);
       else this.waiting.push({ done, fail });
     });
-    // It may be rejected before it is awaited.
+    // The promise may be rejected before it is awaited.
     answer.catch(() => undefined);
     if (!this.dead) this.worker.postMessage({ task, bunch });
     return answer;
@@ -56,7 +55,7 @@ export interface Workers {
   ask(task: Task, bunch: Item[]): Promise<Outcome[]>;
 }
 
-/** Does the task with every item, on so many threads. */
+/** Performs the task with every item on this many threads. */
 export async function* performAll(
   task: Task,
   items: AsyncIterable<Item>,
@@ -77,7 +76,7 @@ export async function* performAll(
   }
 }
 
-/** Does the task with every item. Where no more items can be had, what is under way is handed on before that is said. */
+/** Performs the task with every item. If reading fails, pending outcomes are returned before the error. */
 export async function* performOn(
   workers: Workers,
   task: Task,
@@ -85,7 +84,7 @@ export async function* performOn(
 ): AsyncGenerator<Outcome> {
   const source = bunches(items);
   let next: Promise<IteratorResult<Item[]>> | null = started(source.next());
-  /** What was asked and has not been handed on, in order. */
+  /** Pending requests, in order. */
   const under: Promise<Outcome[]>[] = [];
   let failed: { why: unknown } | null = null;
   while (next || under.length > 0) {
@@ -114,13 +113,13 @@ export async function* performOn(
   if (failed) throw failed.why;
 }
 
-/** A promise that is looked at later: until then its failure is no fault of the process. */
+/** A promise that is awaited later. Until then its rejection is not an unhandled one. */
 function started<T>(promise: Promise<T>): Promise<T> {
   promise.catch(() => undefined);
   return promise;
 }
 
-/** Items by the bunch; those that are there, where the next one is not there yet. */
+/** Batches of items; a batch ends early if the next item is not available yet. */
 async function* bunches(items: AsyncIterable<Item>): AsyncGenerator<Item[]> {
   const source = items[Symbol.asyncIterator]();
   let bunch: Item[] = [];
@@ -132,7 +131,7 @@ async function* bunches(items: AsyncIterable<Item>): AsyncGenerator<Item[]> {
     return taken;
   };
   let next = source.next();
-  // Looked at below, whatever becomes of it.
+  // Awaited below in every case.
   next.catch(() => undefined);
   for (;;) {
     if (bunch.length > 0) {

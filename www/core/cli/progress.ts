@@ -1,4 +1,4 @@
-// How far it is, on a terminal; in a pipe and in a file nothing of it is seen.
+// Progress bar on a terminal; nothing in a pipe or a file.
 
 const WIDTH = 30;
 /** Milliseconds between two drawings. */
@@ -19,12 +19,12 @@ export class Progress {
     this.shows = many && terminal.isTTY === true;
   }
 
-  /** So many bytes more will be read. */
+  /** Adds bytes that will be read. */
   expect(bytes: number): void {
     this.expected += bytes;
   }
 
-  /** The same stream, with its bytes counted. */
+  /** The stream, with its bytes counted. */
   async *through(
     stream: AsyncIterable<Buffer | string>,
   ): AsyncGenerator<Buffer | string> {
@@ -34,7 +34,7 @@ export class Progress {
     }
   }
 
-  /** One job more is done. */
+  /** Counts a finished job. */
   count(): void {
     this.done++;
     const now = performance.now();
@@ -50,7 +50,7 @@ export class Progress {
     this.terminal.write(`\r${bar}${this.done} jobs, ${rate} a second\u001b[K`);
   }
 
-  /** Takes the bar away; it is drawn again with the next job. */
+  /** Removes the bar until the next job. */
   clear(): void {
     if (this.shows && this.drawn > 0) this.terminal.write("\r\u001b[K");
   }

@@ -1,19 +1,19 @@
-// What became of jobs and programs, as tools of a build read it.
+// Outcomes in the formats of build tools.
 import type { Outcome, PlacedFinding } from "./tasks.js";
 
 const LEVELS = { error: "error", warning: "warning", info: "notice" } as const;
 
-/** The text of a finding, with its path. */
+/** Text of a finding, with its path. */
 const saidOf = ({ path, message }: PlacedFinding) =>
   path ? `${path}: ${message}` : message;
 
-/** What failed although no finding says it: a program that is not that of its job. */
+/** A failure without a finding: a program that does not match its job. */
 const unsaid = ({ failed, findings, output }: Outcome) =>
   failed && !findings.some(({ level }) => level === "error")
     ? (output?.text.trim() ?? "failed")
     : null;
 
-/** Workflow commands of GitHub: annotations at the file and the line. */
+/** GitHub workflow commands: annotations at file and line. */
 export function github(outcome: Outcome): string {
   const value = (text: string) =>
     text.replaceAll("%", "%25").replaceAll("\r", "%0D").replaceAll("\n", "%0A");
@@ -35,7 +35,7 @@ export function github(outcome: Outcome): string {
   return `${other === null ? "" : `::error ${[...file, ...at].join(",")}::${value(other)}\n`}${outcome.findings.map(of).join("")}`;
 }
 
-/** Whether XML may contain a character: most control characters may not, not even escaped. */
+/** Whether XML allows a character: most control characters are forbidden, even escaped. */
 const isXml = (sign: string) =>
   sign >= " "
     ? sign !== "\ufffe" && sign !== "\uffff"
@@ -51,7 +51,7 @@ const xml = (text: string) =>
     .replaceAll(">", "&gt;")
     .replaceAll('"', "&quot;");
 
-/** A report as JUnit writes it, a test case a job or a program; `denied`: a warning is a failure, too. */
+/** JUnit report with a test case per job or program. `denied`: warnings are failures too. */
 export function junit(
   command: string,
   outcomes: Outcome[],

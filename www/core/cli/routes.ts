@@ -1,15 +1,15 @@
-// The routes of the service that answer a job or a text.
+// Routes of the service that take a job or a text.
 import type { Task } from "./tasks.js";
 
-/** What a route takes, and the task that it is. */
+/** Input of a route, and its task. */
 export interface Route {
   path: string;
   id: string;
   about: string;
   takes: "job" | "text" | "measured";
-  /** The content type of the answer; of JSON the name of its schema. */
+  /** Content type of the answer; for JSON the name of its schema. */
   gives: { type: string; schema?: string };
-  /** The word in the query that says a form of the answer, and the forms. */
+  /** Query parameter that selects a format, and the formats. */
   query?: readonly [string, readonly string[]];
   task: Task;
 }

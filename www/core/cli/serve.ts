@@ -1,4 +1,4 @@
-// Jobs over HTTP: a route a task, worked on by threads.
+// HTTP service: one route per task, worked on by threads.
 import { createHash } from "node:crypto";
 import { once } from "node:events";
 import { readFileSync } from "node:fs";
@@ -28,7 +28,7 @@ interface Settings {
   config?: Config | undefined;
 }
 
-/** The content types of the forms of a table. */
+/** Content types of the table formats. */
 const FORMATS: Record<string, string> = {
   json: JSON_TYPE,
   csv: "text/csv",
@@ -37,13 +37,13 @@ const FORMATS: Record<string, string> = {
 
 type Env = { Bindings: HttpBindings };
 
-/** A refusal: a status and why. */
+/** A refusal: status and reason. */
 const refused = (
   status: 400 | 404 | 412 | 413 | 415 | 503 | 504,
   message: string,
 ) => new HTTPException(status, { message });
 
-/** What waits for a thread. */
+/** A request that waits for a thread. */
 interface Waiting {
   task: Task;
   bunch: Item[];
@@ -51,11 +51,11 @@ interface Waiting {
   fail(why: unknown): void;
 }
 
-/** The threads of a service. Each has one thing to do at a time; one that ends, or does not answer, is put in place again. */
+/** Threads of a service. Each has one task at a time; a thread that ends or does not answer is replaced. */
 class Crew implements Workers {
   private readonly threads: Thread[];
   private readonly busy: boolean[];
-  /** Single requests come before the bunches of those that send many jobs. */
+  /** Single requests take precedence over batches. */
   private readonly single: Waiting[] = [];
   private readonly many: Waiting[] = [];
   private ended = false;
@@ -68,7 +68,7 @@ class Crew implements Workers {
     this.busy = this.threads.map(() => false);
   }
 
-  /** Does a task with one item. */
+  /** Performs a task with one item. */
   async perform(task: Task, item: Item): Promise<Outcome> {
     const [outcome] = await this.queued(this.single, task, [item]);
     return outcome as Outcome;
@@ -78,7 +78,7 @@ class Crew implements Workers {
     return this.queued(this.many, task, bunch);
   }
 
-  /** Has every thread load the module. */
+  /** Loads the module in every thread. */
   async warm(): Promise<void> {
     const item: Item = {
       source: "",
@@ -142,7 +142,7 @@ class Crew implements Workers {
   }
 }
 
-/** The body of a request: no more than so many bytes are read, and no longer than so many milliseconds are waited. */
+/** Body of a request, up to a number of bytes and within a number of milliseconds. */
 async function bodyOf(
   incoming: IncomingMessage,
   most: number,
@@ -160,7 +160,7 @@ async function bodyOf(
     }
   } catch (thrown) {
     if (thrown instanceof HTTPException) throw thrown;
-    // The client has gone.
+    // The client has disconnected.
     throw refused(400, "the body did not come to its end");
   } finally {
     clearTimeout(late);
@@ -168,7 +168,7 @@ async function bodyOf(
   return Buffer.concat(chunks).toString("utf8");
 }
 
-/** Whether If-None-Match names a tag. A proxy that compresses makes it a weak one. */
+/** Whether If-None-Match contains a tag. A proxy that compresses makes it a weak tag. */
 const isKnown = (header: string | undefined, tag: string) =>
   (header ?? "")
     .split(",")
@@ -182,7 +182,7 @@ function json(text: string): unknown {
   }
 }
 
-/** What a request of a route comes to, as a task and its text. */
+/** Task and text of a request. */
 function asked(route: Route, text: string): { task: Task; text: string } {
   if (route.takes === "text") return { task: route.task, text };
   const given = json(text);
@@ -202,7 +202,7 @@ function asked(route: Route, text: string): { task: Task; text: string } {
   };
 }
 
-/** The app and what ends it. */
+/** The app with its shutdown. */
 export class Service {
   private readonly crew: Crew;
   private readonly metrics = new Metrics();
@@ -219,13 +219,13 @@ export class Service {
     this.routes();
   }
 
-  /** Listens; gives the address. */
+  /** Starts to listen; returns the address. */
   async listen(): Promise<string> {
     const { host, port, limits } = this.settings;
     this.server = createAdaptorServer({
       fetch: this.app.fetch,
       serverOptions: {
-        // A body is waited for where it is read: jobs by the line may come as long as there are some.
+        // A body has its own timeout where it is read: jobs by the line may arrive for as long as there are any.
         requestTimeout: 0,
         headersTimeout: limits.wait,
         // Interval in which Node looks for requests that do not arrive; its default is 30 s.
@@ -233,7 +233,7 @@ export class Service {
       },
     }) as Server;
     this.server.maxConnections = limits.connections;
-    // Of a connection on which nothing happens at all.
+    // Timeout of an idle connection.
     this.server.timeout = 6 * limits.wait;
     this.server.listen(port, host);
     try {
@@ -259,7 +259,7 @@ export class Service {
     return `http://${name}:${address.port}`;
   }
 
-  /** What is under way is answered, nothing new is taken, and then it ends. */
+  /** Finishes pending requests, accepts no new ones, and ends. */
   async close(): Promise<void> {
     this.closing = true;
     const closed = once(this.server, "close");
@@ -292,7 +292,7 @@ export class Service {
       if (status === 500)
         console.error(`${c.get("requestId")}: ${error.stack ?? error}`);
       if (status === 503) c.header("retry-after", "1");
-      // The rest of a body that is too long is not waited for.
+      // Does not wait for the rest of a body that is too long.
       if (status === 413) c.header("connection", "close");
       return c.json(
         {
@@ -330,7 +330,7 @@ export class Service {
         );
         return this.answer(c, route, text);
       });
-      // A job in the address, so that caches in between may keep the answer.
+      // A job in the address allows caches in between to keep the answer.
       if (route.takes === "job")
         app.get(route.path, async (c) => {
           const job = c.req.query("job");
@@ -372,14 +372,14 @@ export class Service {
     );
   }
 
-  /** Refuses the methods that a path does not have. */
+  /** Refuses other methods of a path. */
   private others(path: string, allowed: string): void {
     this.app.all(path, (c) =>
       c.json({ error: `${path} takes ${allowed}` }, 405, { allow: allowed }),
     );
   }
 
-  /** The key of an answer: version, rules, route with its query, and what was sent. */
+  /** Key of an answer: version, config, route with its query, and the body. */
   private tag(asked: string, text: string): string {
     const hash = createHash("sha256").update(
       JSON.stringify([this.salt, asked, text]),
@@ -387,15 +387,15 @@ export class Service {
     return `"${hash.digest("base64url")}"`;
   }
 
-  /** Counts a request of which all is there until its answer has gone. More at once than are taken would only wait for each other. */
+  /** Counts a request from its full arrival until its answer is sent. Requests beyond the limit would only wait for each other. */
   private enter({ incoming, outgoing }: HttpBindings): void {
     const { socket } = incoming;
-    // Of a connection that is gone already there will be no end to hear of.
+    // A connection that has closed already sends no event.
     if (socket.destroyed) return;
     if (this.underWay >= this.settings.limits.requests)
       throw refused(503, "too many requests at once");
     this.underWay++;
-    // An answer that waits behind another one on its connection never closes where the connection does.
+    // An answer queued behind another on its connection never closes if the connection does.
     socket.setMaxListeners(0);
     let over = false;
     const end = () => {
@@ -439,9 +439,9 @@ export class Service {
       text,
     });
     const isGood = outcome.output !== null || route.task.command === "check";
-    // An answer that is not good is asked for anew, and costs its plan.
+    // A failed answer gets no tag, so it is planned again.
     if (isGood) c.header("etag", tag);
-    // What is kept is asked for again, and that costs no plan.
+    // A cached answer is revalidated, which costs no plan.
     if (reads) c.header("cache-control", "no-cache");
     if (route.task.command === "check") return c.json(outcome.findings);
     if (!outcome.output) {
@@ -461,7 +461,7 @@ export class Service {
     });
   }
 
-  /** A job a line in, an outcome a line out, as they come. */
+  /** Reads a job per line and writes an outcome per line, as a stream. */
   private programs(c: Context<Env>): Response {
     if (!c.req.header("content-type")?.startsWith("application/x-ndjson"))
       throw refused(415, "the body of this route is application/x-ndjson");
@@ -498,7 +498,7 @@ export class Service {
   }
 }
 
-/** The schema of what comes out, as the package has it. */
+/** Schema of the answers, as in the package. */
 function answers(): Record<string, unknown> {
   const file = join(
     dirname(fileURLToPath(import.meta.url)),
@@ -508,7 +508,7 @@ function answers(): Record<string, unknown> {
   return JSON.parse(readFileSync(file, "utf8"));
 }
 
-/** Serves until a signal ends it. */
+/** Serves until a signal ends the process. */
 export async function serve(settings: Settings): Promise<void> {
   const told = new Promise<void>((done) => {
     for (const signal of ["SIGTERM", "SIGINT"] as const)

@@ -1,4 +1,4 @@
-// What the command does with one job: text in, texts out. No files, no streams, no exit codes.
+// Performs a command for one job: text in, text out. No files, streams or exit codes.
 import { createHash } from "node:crypto";
 import {
   type Config,
@@ -37,7 +37,7 @@ import { examined, type ReportFormat } from "./examine.js";
 import { type Place, placesIn } from "./place.js";
 import { verified, verifiedText } from "./verify.js";
 
-/** What is done with every job. */
+/** Task that is performed with every job. */
 export interface Task {
   command:
     | "plan"
@@ -50,62 +50,62 @@ export interface Task {
     | "evaluate"
     | "report"
     | "svg";
-  /** The control and the form of the program, in the place of the job's own. */
+  /** Control and program form that replace those of the job. */
   post?: string;
   form?: string;
-  /** Whether a plan is given whole, as JSON. */
+  /** Whether the output is the whole plan as JSON. */
   whole?: boolean;
   /** Whether findings have a position in the text of the job. */
   places?: boolean;
-  /** Whether the outcome says the hash of the job's text. */
+  /** Whether the outcome has the hash of the job's text. */
   hashes?: boolean;
-  /** The rules that jobs are filled in and judged by. */
+  /** Config that fills in and judges the jobs. */
   config?: Config;
   format?: "csv" | "html" | "json" | "text" | "sarif";
   view?: "top" | "front" | "side" | "isometric";
-  /** What a machine measured, as text. */
+  /** Measurements of a machine, as text. */
   points?: string;
-  /** Of a report, what was measured of each part, or of several one after the other, and what else it says. */
+  /** Measurements of the parts in a report, each as text or several in one text, and its header data. */
   parts?: string[];
   about?: Pick<ReportOf, "by" | "machine" | "when" | "note">;
-  /** What is known of a program beside its text; without it `moves` only reads. */
+  /** Inputs of a program; without them `moves` only reads it. */
   known?: ProgramKnown;
 }
 
 /** A job's text and its source. */
 export interface Item {
   source: string;
-  /** The folders that its output keeps. */
+  /** Folders that the output keeps. */
   place: string;
   text: string;
-  /** Its line, where it is one of a file of jobs. */
+  /** Line in a file of jobs. */
   row?: number;
-  /** Why there is no text; the findings of it then. */
+  /** Reason why there is no text, as a finding. */
   refused?: string;
 }
 
 /** A finding with its position in the text of its job. */
 export type PlacedFinding = Finding & Partial<Place>;
 
-/** What became of it. */
+/** Outcome of a job or program. */
 export interface Outcome {
   source: string;
-  /** The line that it is about: of a job in a file of jobs, or the first of a program that differs. */
+  /** Its line: of a job in a file of jobs, or the first line of a program that differs. */
   row?: number;
   place: string;
-  /** The SHA-256 of the job's text, where the task asks for it. */
+  /** SHA-256 of the job's text, if the task requests it. */
   given?: string;
-  /** The job's name, and what its output is called after it; `null` where there is no output. */
+  /** Name of the job, and the ending and text of its output; `null` without output. */
   output: { name: string; ending: string; text: string } | null;
-  /** The control of the job, by the id of its post; `null` where it is not known. */
+  /** Control of the job by its post id; `null` if unknown. */
   control: string | null;
   findings: PlacedFinding[];
-  /** Whether there is no output, or there would have been none. */
+  /** Whether the job failed: there is no output, or there would be none. */
   failed: boolean;
 }
 type Done = Omit<Outcome, "source" | "place">;
 
-/** Findings with their places in the text of a job. Those of the whole job, and of what was measured, have none. */
+/** Findings with positions in the text of a job. Findings about the whole job or the measurements have none. */
 function placed(text: string, findings: Finding[]): PlacedFinding[] {
   try {
     const place = placesIn(text);
@@ -115,12 +115,12 @@ function placed(text: string, findings: Finding[]): PlacedFinding[] {
         : { ...f, ...place(f.path) },
     );
   } catch {
-    // Nested more deeply than the parser follows.
+    // Nested more deeply than the parser supports.
     return findings;
   }
 }
 
-/** Does the task. Never throws, whatever the text. */
+/** Performs the task. Never throws, for any text. */
 export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
     const outcome: Outcome = { source, place, ...done(task, source, item) };
@@ -231,7 +231,7 @@ function done(
   }
 }
 
-/** The control that a job names, or else the one that a job is for where it names none. */
+/** Control of a job: the one it specifies, or else the default. */
 function controlOf(job: unknown): string | null {
   if (typeof job !== "object" || job === null) return null;
   const { control } = job as { control?: { post?: unknown } | null };
@@ -242,7 +242,7 @@ function controlOf(job: unknown): string | null {
 
 let usualControl: string | null = null;
 
-/** The control of a job that names none. */
+/** Control of a job that specifies none. */
 function usual(): string {
   if (usualControl === null) {
     const fields =
@@ -260,7 +260,7 @@ const problem = (code: FindingCode, message: string): Finding => ({
   said: [message],
 });
 
-/** What a command makes of a job; `bad`: a part that is reported is not good. */
+/** Output of a command for a job. `bad`: a reported part is out of tolerance. */
 function made(
   task: Task,
   job: Job,
@@ -274,7 +274,7 @@ function made(
     };
   }
   if (task.command === "plan") {
-    // Program and findings of one plan.
+    // Program and findings of the same plan.
     const { program, findings } = programs([job]).next().value as Programmed;
     if (!program) throw new JobError("", findings);
     return { ending: `.${program.extension}`, out: program.text, findings };
@@ -304,7 +304,7 @@ function made(
   };
 }
 
-/** The inspection report of one part or of a series. */
+/** Inspection report of one part or a series. */
 function reported({ parts = [], about = {}, format = "html" }: Task, job: Job) {
   const planned = plan(job);
   const runs = parts
@@ -328,7 +328,7 @@ function reported({ parts = [], about = {}, format = "html" }: Task, job: Job) {
   return { ending: `-report.${format}`, out, findings, bad: isBad(of.verdict) };
 }
 
-/** Results as columns for people, how the text was read, and the block that is to be typed. */
+/** Results as text columns, how the text was read, and the block to type. */
 function printed(
   { results, block, findings }: Measurement,
   plan: Plan,
@@ -344,7 +344,7 @@ function printed(
   ].join("");
 }
 
-/** The value of a JSON text; throws `JobError` if it is not JSON. */
+/** Value of a JSON text. Throws `JobError` if it is not JSON. */
 export function parsed(text: string): unknown {
   try {
     return JSON.parse(text.replace(/^\uFEFF/, ""));
@@ -354,7 +354,7 @@ export function parsed(text: string): unknown {
   }
 }
 
-/** The job of a text, for the control that the task says. */
+/** Reads the job of a text, with the control of the task. */
 function read(
   text: string,
   { post, form }: Task,
@@ -367,7 +367,7 @@ function read(
   )
     return { job, overruled: [] };
   const { control } = job as { control?: unknown };
-  // What is no section is left to the check.
+  // The check reports a value that is no section.
   if (
     control !== undefined &&
     control !== null &&
@@ -419,11 +419,11 @@ function imported(text: string): Done {
   };
 }
 
-/** What the output of a program is called after it. */
+/** Base name of the output of a program. */
 const nameOf = (source: string) =>
   (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
 
-/** The moves of a program, line by line as an editor counts them. A text without any is a failure: there is nothing to list. */
+/** The moves of a program, with line numbers from 1. A text without moves is a failure. */
 function moves(
   text: string,
   { format = "text", known }: Task,
@@ -446,7 +446,7 @@ function moves(
   };
 }
 
-/** One move as a row: what is not known is NaN. */
+/** A move as a row; unknown values are NaN. */
 function* rowsOf({
   line,
   kind,
@@ -503,7 +503,7 @@ function movesAsText(read: ProgramMoves): string {
   return out;
 }
 
-/** Results as columns for people. */
+/** Results as text columns. */
 function listed(rows: ResultRow[], plan: Plan): string {
   const number = (x: number | string | null) =>
     typeof x === "number" ? x.toFixed(4) : (x ?? "-");

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// The command: jobs in, programs, tables, pictures and findings out. Exit codes: 0 good, 1 findings, 2 wrong use or what the system refuses.
+// The command: jobs in; programs, tables, pictures and findings out. Exit codes: 0 good, 1 findings, 2 wrong use or an error of the system.
 import { stat } from "node:fs/promises";
 import { availableParallelism, constants } from "node:os";
 import { basename } from "node:path";
@@ -45,7 +45,7 @@ async function main(args: string[]): Promise<number> {
   return 0;
 }
 
-/** What is answered at once, without jobs to work through; undefined of the other commands. */
+/** Answers a command without jobs; undefined for other commands. */
 async function answered(
   command: Command,
   names: string[],
@@ -253,7 +253,7 @@ async function served(names: string[], values: Values): Promise<number> {
   return 0;
 }
 
-/** The folder of the outputs. However the process ends, but for a kill that cannot be seen, nothing is left aside. */
+/** The output folder. Temporary files are removed however the process ends, except by SIGKILL. */
 async function folderOf(
   out: string,
   files: string[],
@@ -273,7 +273,7 @@ async function folderOf(
   return folder;
 }
 
-/** Ends with one line about what went wrong. */
+/** Ends with one line about the error. */
 function refuse(why: string, json: boolean): never {
   const name = basename(process.argv[1] ?? "touchpath", ".js");
   process.stderr.write(
@@ -283,12 +283,12 @@ function refuse(why: string, json: boolean): never {
 }
 
 const json = process.argv.includes("--json");
-/** Whether jobs are judged: where the output is closed before all are, the exit code must not be that of good ones. */
+/** Whether jobs are being judged. If the output closes early, the exit code must not be 0. */
 let judging = false;
 for (const stream of [process.stdout, process.stderr])
   stream.on("error", (error: NodeJS.ErrnoException) => {
     if (stream === process.stderr) process.exit(2);
-    // The reader has enough, as in `| head -1`: that is no error.
+    // The reader has closed the pipe, as in `| head -1`: this is no error.
     if (error.code === "EPIPE") process.exit(judging ? 141 : 0);
     refuse(error.message, json);
   });

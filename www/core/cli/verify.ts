@@ -1,4 +1,4 @@
-// Whether a program still is the program of the job that its header says.
+// Checks that a program is still that of the job in its header.
 import {
   type Finding,
   importJob,
@@ -7,11 +7,11 @@ import {
   program,
 } from "../node.js";
 
-/** What became of a program. What its lines break of the safety rules is a finding, `unsafe-program`. */
+/** Result of verifying a program. Broken safety rules are a finding, `unsafe-program`. */
 export interface Verified {
   /**
-   * `same`, `version` where only another version wrote it, `changed`, `refused` where its job has no program any longer, `no-job`; by the list of a folder also `missing`,
-   * `unlisted`, `job-changed`, `job-missing`.
+   * `same`; `version`: only another version wrote it; `changed`; `refused`: its job no longer has a program; `no-job`. By the manifest of a folder also
+   * `missing`, `unlisted`, `job-changed`, `job-missing`.
    */
   state:
     | "same"
@@ -24,19 +24,19 @@ export interface Verified {
     | "job-changed"
     | "job-missing";
   said: string;
-  /** The first lines that differ, from 1, as they are and as they should be. */
+  /** First lines that differ, from 1: actual and expected text. */
   lines: { line: number; is: string | null; wanted: string | null }[];
   findings: Finding[];
 }
 
-/** So many lines that differ are listed. */
+/** Maximum number of lines listed. */
 const LISTED = 5;
-/** Lines that every version writes. */
+/** Header lines that depend on the version. */
 const STAMP = /Made by Touchpath |Blocks below: |^\s*$/i;
 
 const linesOf = (text: string) =>
   text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
-/** The blocks below the header, each with its line; all of them where there is no header. */
+/** Blocks below the header with their lines; all blocks without a header. */
 function blocks(text: string): { line: number; text: string }[] {
   const all = linesOf(text).map((text, i) => ({
     line: i + 1,
@@ -48,7 +48,7 @@ function blocks(text: string): { line: number; text: string }[] {
   return all.slice(end + 1).filter(({ text }) => !STAMP.test(text));
 }
 
-/** The lines that differ: those between what both begin and end with alike. */
+/** Lines that differ, without the common beginning and end. */
 function differing(
   is: { line: number; text: string }[],
   wanted: { text: string }[],
@@ -76,7 +76,7 @@ function differing(
   );
 }
 
-/** Holds a program against its job. */
+/** Compares a program with its job. */
 export function verified(text: string): Verified {
   const done = (
     state: Verified["state"],
@@ -133,7 +133,7 @@ export function verified(text: string): Verified {
   return done("same", "is its job's program", findings);
 }
 
-/** The same for people. */
+/** The result as text. */
 export function verifiedText(
   source: string,
   { said, lines }: Verified,

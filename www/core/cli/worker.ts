@@ -1,4 +1,4 @@
-// One thread of the command: it does a task with a bunch of items, and answers in the order in which it is asked.
+// A thread of the command: performs a task with a batch of items and answers in the order of its requests.
 import { parentPort } from "node:worker_threads";
 import { type Item, perform, type Task } from "./tasks.js";
 
