@@ -199,7 +199,7 @@ for (const [name, driven] of Object.entries(ENGINES))
       await run(() =>
         document
           .querySelector("touch-path")
-          ?.shadowRoot?.getElementById("scrub")
+          ?.shadowRoot?.getElementById("timeline")
           ?.dispatchEvent(
             new KeyboardEvent("keydown", {
               key: "ArrowRight",

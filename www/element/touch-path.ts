@@ -19,48 +19,48 @@ import { Showing } from "./showing.js";
 type Units = "mm" | "inch";
 
 /**
- * A probing job: form, picture, program, parameters, results and checks in one element. It fills its box: without a height that is 480 pixels.
+ * A probing job: form, picture, program, parameters, results and checks in one element. It fills its box; without a given height it is 480 pixels high.
  *
  * @tag touch-path
- * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
- * @attr {string} config - The rules of the portal, as JSON: see `Config`. A `<script type="application/json">` inside the element does the same. A config with faults changes nothing, and a `finding` event lists them.
- * @attr {string} cycle - The type of the cycle, such as `hole`. Another one keeps the rest of the job.
- * @attr {string} post - The control, by the `id` of a post in the catalog: that of the present job and of every later one that names none. Where a job names another, the finding `other-control` says so.
- * @attr {"mm" | "inch"} units - The units, likewise; the values of the present job are converted. Where a job names others, the finding `other-units` says so.
+ * @attr {string} job - The job as JSON. A job that cannot be shown changes nothing; a `finding` event gives the reason.
+ * @attr {string} config - The rules of the portal, as JSON: see `Config`. A `<script type="application/json">` inside the element does the same. A config with errors changes nothing; a `finding` event lists them.
+ * @attr {string} cycle - The type of the cycle, such as `hole`. A change keeps the rest of the job.
+ * @attr {string} post - The control, by the `id` of a post in the catalog, for the current job and every later one that specifies none. If a job specifies another control, it has the finding `other-control`.
+ * @attr {"mm" | "inch"} units - The units, in the same way; the values of the current job are converted. If a job specifies other units, it has the finding `other-units`.
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
- * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
- * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
- * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`. `none`: the bar and the foot alone, for a job whose panels are elsewhere on the page (`<touch-form>`, `<touch-picture>`, `<touch-program>`).
- * @attr {"setter" | "cam"} mode - `cam` also shows what only the author of a postprocessor needs: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
- * @attr {"top" | "front" | "side" | "isometric"} view - The view of the picture, `top` by default. The user can change it; the property gives the present one.
- * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
- * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
+ * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, the language of the nearest enclosing element that has one; with `storage="local"` the user's choice or else the browser's. Any other language shows English. Programs are always English.
+ * @attr {boolean} readonly - Whether the user cannot change the job; its program can still be saved.
+ * @attr {string} panels - The panels, of `form stage program table results checks`; all by default, but the table only if it is listed here or the mode is `cam`. `none`: only the bar and the footer, for a job whose panels are elsewhere on the page (`<touch-form>`, `<touch-picture>`, `<touch-program>`).
+ * @attr {"setter" | "cam"} mode - `cam` also shows what only authors of postprocessors need: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
+ * @attr {"top" | "front" | "side" | "isometric"} view - The view of the picture, `top` by default. The user can change it; the property returns the current one.
+ * @attr {"none" | "local"} storage - Whether the job, presets and theme are stored in this browser; `none` by default. Only one element per origin should use `local`.
+ * @attr {boolean} links - Whether the element loads the job of a link (`#job1=…`) in the page's address and offers such links.
  * @attr {boolean} disabled - Whether the form control is disabled: the job is read-only and is not submitted.
- * @attr {string} name - The name under which a form gets the job's JSON.
+ * @attr {string} name - The name of the job's JSON in a form.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
- * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the host page. A job with errors gives no event.
- * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the host page does that.
+ * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the host page. A job with errors fires no event.
+ * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. If the event is cancelled, the element saves no file: the host page does.
  * @fires {CustomEvent<Selection>} selection-change - The user has selected another move, line or field, or the selected move is gone.
  * @fires {CustomEvent<{ measured: string }>} measured-change - The user has changed the measured points.
- * @fires {Event} input - The user has changed the job, as `job-change` says: for form libraries.
+ * @fires {Event} input - The user has changed the job, like `job-change`: for form libraries.
  * @fires {Event} change - The user has left a changed field or made a choice: for form libraries.
  * @fires {Event} load - The element is loaded and shown: `ready` is fulfilled. Does not bubble.
  * @fires {ErrorEvent} error - The element could not be loaded: `ready` is rejected. Does not bubble.
- * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used, and nothing was changed.
+ * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used and changed nothing.
  * @slot - Shown until the element is loaded.
- * @slot header - In the place of the name, at the left of the bar.
- * @slot footer - At the right of the line at the foot.
- * @csspart bar - The line at the head.
+ * @slot header - Replaces the name at the left of the bar.
+ * @slot footer - At the right of the footer.
+ * @csspart bar - The bar at the top.
  * @csspart form - The form.
  * @csspart stage - The picture, with its tools and its timeline.
- * @csspart tabs - The tabs over the panels.
+ * @csspart tabs - The tabs above the panels.
  * @csspart panel - Every panel; each also by its own name: `program`, `table`, `results`, `checks`.
- * @csspart footer - The line at the foot; where the element is less than 600 pixels wide, with Save.
+ * @csspart footer - The footer; it contains Save if the element is less than 600 pixels wide.
  * @cssprop --touchpath-background - The background.
  * @cssprop --touchpath-panel - The background of buttons and bars.
  * @cssprop --touchpath-text - The text.
- * @cssprop --touchpath-accent - What is chosen, what has the focus, the main button.
- * @cssprop --touchpath-on-accent - The text on it.
+ * @cssprop --touchpath-accent - Selection, focus and the main button.
+ * @cssprop --touchpath-on-accent - Text on the accent colour.
  * @cssprop --touchpath-font - The font, as in the `font` shorthand.
  */
 export class TouchPath extends Showing {

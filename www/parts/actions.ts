@@ -1,4 +1,4 @@
-// What buttons, menus and lists ask of the page.
+// Actions of buttons, menus and lists.
 import type { LitElement } from "lit";
 import { type Job, JobError, type Message } from "../core/browser.js";
 import type { Preset } from "../presets.js";
@@ -12,14 +12,14 @@ import type { PastePart } from "./paste.js";
 import type { ProgramPart } from "./program-panel.js";
 import type { Tools } from "./tools.js";
 
-/** The page that they act on. */
+/** The page on which the actions work. */
 interface Page {
   readonly store: Store;
   readonly tools: Tools;
   readonly outlet: Export;
   /** Whether the page is Touchpath's own. */
   readonly links: boolean;
-  /** What is shown instead of the job, in words; empty where the job is shown. */
+  /** Title of what is shown instead of the job; empty if the job is shown. */
   away(): string;
   isWide(): boolean;
   hasTab(panel: Panel): boolean;
@@ -32,7 +32,7 @@ interface Page {
 export class Actions {
   /** Whether the gallery adds a feature instead of replacing the cycle. */
   adds = false;
-  /** The page of the manual that is shown. */
+  /** Topic of the manual page that is shown. */
   topic = "";
 
   constructor(
@@ -40,14 +40,14 @@ export class Actions {
     private readonly page: Page,
   ) {}
 
-  /** Does what a button of the bar or the menu asks for. */
+  /** Runs the action of a button in the bar or the menu. */
   async ask(what: string): Promise<void> {
     const { store } = this.page;
     if (this.page.away() && OF_THE_JOB.has(what)) return;
     const open = (id: string) => {
       const dialog = this.app.querySelector<HTMLDialogElement>(`#${id}`);
       dialog?.showModal();
-      // Not by `autofocus`: a browser complains of it in a frame of another origin.
+      // Not by `autofocus`: in a frame of another origin a browser logs a warning.
       dialog?.querySelector<HTMLElement>("h2[tabindex]")?.focus();
     };
     const actions: Record<string, () => unknown> = {
@@ -64,7 +64,7 @@ export class Actions {
       },
       open: () => this.app.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => {
-        // Messages from here on concern what is pasted.
+        // From here on, messages are about the pasted text.
         this.page.tell(null);
         this.app.querySelector<PastePart>("tp-paste")?.open();
       },
@@ -109,10 +109,10 @@ export class Actions {
     await actions[what]?.();
   }
 
-  /** To the field of a path, or to the first one inside it; to Checks if no field is found. */
+  /** Goes to the field of a path or the first field inside it; to Checks if there is none. */
   async go(wanted: string): Promise<void> {
     await this.page.tools.use("cycles");
-    // A field of a cycle that is not in the form.
+    // A field of a cycle that is not active.
     const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(wanted) ?? [];
     if (index !== undefined)
       this.page.store.bringFeature(
@@ -148,29 +148,29 @@ export class Actions {
       );
     if (!field) this.page.show("checks");
     field?.scrollIntoView({ block: "center" });
-    // A number that is left out has its box in front of it.
+    // A number that may be null has a checkbox in front of it.
     const box =
       field?.matches(":disabled") &&
       field.closest(".line")?.querySelector<HTMLElement>(".check input");
     (box || field)?.focus();
   }
 
-  /** To these lines of the program. */
+  /** Shows these lines of the program. */
   async showLines(lines: number[]): Promise<void> {
     this.page.show("program");
     await this.app.updateComplete;
-    // The button that was pressed is no longer seen.
+    // The button that was pressed is no longer visible.
     this.app.querySelector<HTMLElement>("#tab-program")?.focus();
     this.app.querySelector<ProgramPart>("tp-program")?.find(lines);
   }
 
-  /** To a page of the manual. */
+  /** Opens a page of the manual. */
   async about(topic: string): Promise<void> {
     this.topic = topic;
     await this.page.tools.use("manual");
   }
 
-  /** A cycle was chosen: its first size is what is typed next. Where fingers point, a focus would bring the keyboard up over the picture. */
+  /** Focuses the first size of a chosen cycle. On touch screens a focus would open the keyboard over the picture. */
   readonly chosen = async (): Promise<void> => {
     await this.page.tools.use("cycles");
     const size = this.page.store.cycle.fields.find((field) => field.size);
@@ -182,7 +182,7 @@ export class Actions {
     });
   };
 
-  /** Chooses a cycle or a control by its path and its name. */
+  /** Chooses a cycle or control by its path and name. */
   async choose(what: string): Promise<void> {
     const [path, name = ""] = what.split(":");
     await this.page.tools.use("cycles");
@@ -194,7 +194,7 @@ export class Actions {
     else if (!this.refused(name)) store.chooseControl(name);
   }
 
-  /** Says why a control has no program for the job's cycle; false where it has one. */
+  /** Reports why a control has no program for the job's cycle; returns false if it has one. */
   private refused(post: unknown): boolean {
     const { store } = this.page;
     const why = store.whyNot(post);
@@ -207,7 +207,7 @@ export class Actions {
     return why !== null;
   }
 
-  /** The job for a machine that was kept. */
+  /** Applies a stored machine to the job. */
   machine(preset: Preset): void {
     const { post } = (preset.sections.control ?? {}) as { post?: unknown };
     if (this.page.store.postOf(post) && this.refused(post)) return;

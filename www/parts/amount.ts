@@ -1,6 +1,6 @@
 import { StorePart } from "./part.js";
 
-/** Amount in a panel, beside the door that opens it. No count of parameter rows: the table is made only when it is shown. */
+/** Amount of content in a panel, beside the door that opens it. The parameter rows are not counted, because the table is only made when it is shown. */
 class AmountPart extends StorePart {
   protected override storeEvents = ["change"];
   declare of: string;

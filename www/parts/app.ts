@@ -60,32 +60,32 @@ const forced = matchMedia("(forced-colors: active)");
 
 type View = PicturePart["from"];
 
-/** What shows a job: its element, and what shows panels of it elsewhere on the page. */
+/** Apps that show a job: in its element, and in elements with its panels elsewhere on the page. */
 const showing = new WeakMap<Store, Set<App>>();
 function shown(store: Store): Set<App> {
   const all = showing.get(store) ?? new Set<App>();
   showing.set(store, all);
   return all;
 }
-/** Other panels are shown than before: what leads to them is drawn anew. */
+/** Redraws the links to panels after the set of visible panels has changed. */
 function redrawn(store: Store): void {
   for (const app of shown(store)) app.requestUpdate();
 }
 
-/** The whole page. What fits beside the picture has a place of its own; the rest is behind tabs. */
+/** The whole page. Panels that fit beside the picture have their own place; the others are behind tabs. */
 export class App extends LitElement {
   private panel: Panel | null = null;
   private viewed: Viewed | null = null;
-  /** The moves that are shown of it, once it has run. */
+  /** Moves of the opened program, once it has run. */
   private shownMoves: ProgramMoves | null = null;
-  /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
+  /** Message about the job. A message about the whole document is above it; one about the current state is in the footer, where nothing moves when it goes. */
   private said: {
     text: Message;
     passing: boolean;
     at: number;
     foot: boolean;
   } | null = null;
-  /** Takes a newer version of the page, where there is one. */
+  /** Switches to a newer version of the page, if there is one. */
   private newer: (() => void) | null = null;
   private readonly size = new Size(this);
   private wanted: PanelName[] = [];
@@ -132,7 +132,7 @@ export class App extends LitElement {
         this.viewed = viewed;
         this.shownMoves = null;
         this.tools.use("viewer");
-        // The page keeps the editor of long programs for when there is no network.
+        // Stores the editor of long programs for use without a network.
         if (!isShort(viewed.text))
           this.around.host.dispatchEvent(
             new CustomEvent("load-editor", { detail: "editor" }),
@@ -187,15 +187,15 @@ export class App extends LitElement {
     if (theme) around.host.setAttribute("theme", theme);
   }
 
-  /** The parts share the styles of the element around. */
+  /** The parts share the styles of the element. */
   protected override createRenderRoot(): HTMLElement {
     return this;
   }
 
-  /** Whether the host page has asked for the parameters by name. */
+  /** Whether the host page has requested the parameters by name. */
   private asked = false;
 
-  /** What is shown, and in which colours; `asked`: the parameters were asked for by name. */
+  /** Sets the visible panels and the colours. `asked`: the parameters were requested by name. */
   applyOptions(theme: Theme, panels: PanelName[], asked: boolean): void {
     this.theme = theme;
     this.asked = asked;
@@ -205,7 +205,7 @@ export class App extends LitElement {
     this.requestUpdate();
   }
 
-  /** To the first field, or else to the picture. */
+  /** Focuses the first field, or else the picture. */
   focusFirst(options?: FocusOptions): void {
     const places = [
       "tp-form :is(input, select):enabled",
@@ -219,7 +219,7 @@ export class App extends LitElement {
     all.find((one) => one.checkVisibility())?.focus(options);
   }
 
-  /** The view of the picture; without one, the view that it will have. */
+  /** The view of the picture; without a picture, the view that it will have. */
   get view(): View {
     return this.picture?.from ?? this.sight;
   }
@@ -229,7 +229,7 @@ export class App extends LitElement {
     if (this.picture) this.picture.from = view;
   }
 
-  /** What the host page asks for, and the picture that has it already. */
+  /** View that the host page requests, and the picture that has applied it. */
   private sight: View = "top";
   private turned: PicturePart | null = null;
 
@@ -237,12 +237,12 @@ export class App extends LitElement {
     return this.renderRoot.querySelector<PicturePart>("tp-picture");
   }
 
-  /** Whether the picture of the job is among what is shown. */
+  /** Whether the job's picture is visible. */
   get hasPicture(): boolean {
     return this.picture !== null;
   }
 
-  /** The picture as an SVG; null without a plan. */
+  /** The picture as SVG; null without a plan. */
   svg(): string | null {
     return this.store.blank ? null : this.outlet.svg();
   }
@@ -363,7 +363,7 @@ export class App extends LitElement {
       </div>
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tools.now !== "cycles"}>
         ${repeat(
-          // One order for eye and Tab: on a narrow page, and on one that is higher than wide, the picture is above the form.
+          // Visual order and tab order agree: on a narrow page and on a portrait one the picture is above the form.
           (stacked
             ? (["stage", "form"] as const)
             : (["form", "stage"] as const)
@@ -425,7 +425,7 @@ export class App extends LitElement {
     );
   }
 
-  /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
+  /** Title of what is shown instead of the job. Meanwhile nothing of the job can be changed or saved. Empty if the job is shown. */
   private get replacedBy(): string {
     if (this.tools.now === "viewer")
       return this.t("An opened program is shown, not the job");
@@ -434,7 +434,7 @@ export class App extends LitElement {
       : "";
   }
 
-  /** What menu and dialogs show, and what they do. */
+  /** Data and actions for the menu and the dialogs. */
   private get frame(): Frame {
     const { store, around, theme, replacedBy: away } = this;
     return {
@@ -448,7 +448,7 @@ export class App extends LitElement {
       look: () => this.requestUpdate(),
       choose: (what) => {
         this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
-        // The item is gone: what follows comes back to the menu's button, however long it takes.
+        // The menu item is gone: the focus returns to the menu button, however long the action takes.
         this.renderRoot
           .querySelector<HTMLElement>("tp-bar [popovertarget]")
           ?.focus({ preventScroll: true });
@@ -462,7 +462,7 @@ export class App extends LitElement {
     };
   }
 
-  /** Shows everything in the language that is wanted, once its words are there. */
+  /** Shows everything in the chosen language once its words are loaded. */
   async reword(): Promise<void> {
     await this.language?.follow();
   }
@@ -471,7 +471,7 @@ export class App extends LitElement {
     this.tools.preload();
   }
 
-  /** Waits for the module, and draws what is shown without it. */
+  /** Waits for the module, then draws what needs it. */
   async arrived(): Promise<void> {
     await awaited();
     this.picture?.requestUpdate();
@@ -505,7 +505,7 @@ export class App extends LitElement {
     );
   }
 
-  /** The help belongs to the field in focus; without one, no help is shown. */
+  /** The help belongs to the focused field; without focus none is shown. */
   private readonly unhelp = (event: Event): void => {
     const inside = (event.composedPath()[0] as Element).closest?.(
       "tp-form, tp-bar, tp-help",
@@ -522,37 +522,37 @@ export class App extends LitElement {
 
   private readonly redraw = () => this.requestUpdate();
 
-  /** The job is shown in another language: what shows its panels elsewhere follows. */
+  /** The language of the job has changed: elements with its panels follow. */
   private readonly reworded = (): void => {
     if (!this.around.isRemotePanel) return;
     this.lang = this.store.lang;
     this.requestUpdate();
   };
 
-  /** Whether a panel can be seen here. */
+  /** Whether a panel is visible here. */
   private sees(panel: PanelName): boolean {
     return this.wanted.includes(panel) && this.checkVisibility();
   }
 
-  /** What shows a panel of the job: this, or else what shows its panels elsewhere on the page; this where nothing does. */
+  /** The app that shows a panel of the job: this one, or else one elsewhere on the page; this one if there is none. */
   private with(panel: PanelName): App {
     if (this.sees(panel)) return this;
     return [...shown(this.store)].find((app) => app.sees(panel)) ?? this;
   }
 
-  /** To a field, in the element that shows the form. */
+  /** Goes to a field in the element that shows the form. */
   find(path: string): void {
     this.with("form").actions.go(path);
   }
 
-  /** All panels that are shown, here or elsewhere. */
+  /** All visible panels, here or elsewhere. */
   private get everywhere(): PanelName[] {
     return [...new Set([...shown(this.store)].flatMap((app) => app.wanted))];
   }
 
-  /** Says what the store has done beside what it was asked for. */
+  /** Announces a side effect of the store. */
   private readonly pass = (event: Event): void => {
-    // Once: in the element itself where that is seen, or else where what it is about is typed.
+    // Announces it once: in the element itself if visible, else in the element that shows the form.
     const all = [...shown(this.store)];
     const one =
       all.find((app) => !app.around.isRemotePanel && app.checkVisibility()) ??
@@ -569,7 +569,7 @@ export class App extends LitElement {
     app.show(there ? panel : "results");
   }
 
-  /** Light or dark: what the host page wants, or the system. */
+  /** Applies light or dark colours, as the host page or the system requests. */
   private readonly recolour = (): void => {
     const dark =
       this.theme === "dark" || (this.theme === "auto" && system.matches);
@@ -586,7 +586,7 @@ export class App extends LitElement {
     this.requestUpdate();
   };
 
-  /** `passing`: it is true of the job as it is now, and of no later one. */
+  /** `passing`: the message only holds for the current state of the job. */
   private tell(text: Message | null, passing = false, foot = passing): void {
     const { revision, document } = this.store;
     this.said = text && {

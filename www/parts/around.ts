@@ -1,23 +1,23 @@
-// What the page is in.
+// Surroundings of the page.
 import type { Theme } from "./menu.js";
 
-/** The element around the page. */
+/** The element that contains the page. */
 export interface Host extends HTMLElement {
   theme: Theme;
-  /** Dispatches an event; false where a listener has cancelled it. */
+  /** Dispatches an event; returns false if a listener cancels it. */
   tell(
     name: "program-save",
     detail: { name: string; text: string; post: string; extension: string },
   ): boolean;
 }
 
-/** What the element is in. */
+/** Surroundings of the element. */
 export interface AppContext {
   host: Host;
-  /** Whether presets, theme and language are kept in this browser. */
+  /** Whether presets, theme and language are stored in this browser. */
   local: boolean;
-  /** Whether links are followed and handed out. */
+  /** Whether the page follows and offers links. */
   links: boolean;
-  /** Whether it shows panels of the job of another element: without bar and foot, and in the language of that element. */
+  /** Whether it shows panels of another element's job: without bar and footer, in the language of that element. */
   isRemotePanel?: boolean;
 }

@@ -7,7 +7,7 @@ import { w } from "../words.js";
 import { FieldPart } from "./field.js";
 import { saveButton } from "./save.js";
 
-/** What a cycle of the control itself can set, as the values of its fields, and what that is called. */
+/** Values that a native cycle can set, by the values of its fields. */
 const SETS: [
   confirmRotation: number,
   transferPosition: number,
@@ -27,18 +27,18 @@ export const STYLUS_UNKNOWN = "stylus-not-known";
 /** Placeholders of the menus in the sentence; no language uses brackets. */
 const SLOTS = ["[what]", "[machine]", "[does]"];
 
-/** Head of the page: the sentence with features, machine and write summary, and the buttons for undo and save. */
+/** Bar of the page: the sentence with features, machine and write summary, and the buttons for undo and save. */
 class BarPart extends FieldPart {
   protected override storeEvents = ["change", "machines"];
-  /** Whether links to the job are handed out. */
+  /** Whether the page offers links to the job. */
   links = false;
-  /** Whether machines are kept in this browser. */
+  /** Whether machines are stored in this browser. */
   local = false;
-  /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
+  /** Title of what is shown instead of the job. Meanwhile nothing of the job can be changed or saved. Empty if the job is shown. */
   declare away: string;
   /** Sentence of the opened program, shown instead of the job's; empty if none is open. */
   declare opened: string;
-  /** Whether the program is saved here. */
+  /** Whether the page saves programs itself. */
   declare saves: boolean;
 
   static override properties = {
@@ -72,7 +72,7 @@ class BarPart extends FieldPart {
   /** The sentence in the word order of the language, with a menu for each placeholder. */
   private sentence(): (TemplateResult | typeof nothing)[] {
     const { store } = this;
-    // Punctuation after a menu stays on the same line.
+    // Punctuation after a menu stays on its line.
     const slots: Record<
       string,
       (sign: string) => TemplateResult | typeof nothing
@@ -116,7 +116,7 @@ class BarPart extends FieldPart {
     return !this.store.rules.showsField(path) && !this.isBad(path);
   }
 
-  /** Under their source, whose name would leave no room for theirs: `ENCY/SprutCAM type 7` says the source and the number in it. */
+  /** Grouped by source, whose name leaves no room for the cycle's: `ENCY/SprutCAM type 7` shows the source and the number. */
   private cycles() {
     const { store } = this;
     const last = Number.POSITIVE_INFINITY;
@@ -138,7 +138,7 @@ class BarPart extends FieldPart {
     });
   }
 
-  /** Machines that were kept, and the controls. A control that does not take this cycle says why when it is chosen. */
+  /** Stored machines and the controls. A control that does not support this cycle gives the reason when it is chosen. */
   private machine(): TemplateResult {
     const { store } = this;
     const offered = store.rules.machines;
@@ -196,11 +196,11 @@ class BarPart extends FieldPart {
           detail: `control.post:${chosen}`,
         }),
       );
-    // What could not be taken does not stay in the list.
+    // Removes a rejected choice from the list.
     this.requestUpdate();
   }
 
-  /** Whether the job is for this machine as it was kept. */
+  /** Whether the job uses this stored machine unchanged. */
   private isUsed(preset: Preset): boolean {
     const { draft, units } = this.store;
     const { overtravel, sections } = convertedPreset(preset, units);
@@ -210,7 +210,7 @@ class BarPart extends FieldPart {
     );
   }
 
-  /** Controls that do not take this cycle are shown, with the reason. */
+  /** Controls that do not support this cycle are listed with the reason. */
   private posts() {
     const { store } = this;
     const offered = store.catalog.posts.filter(
@@ -226,7 +226,7 @@ class BarPart extends FieldPart {
     });
   }
 
-  /** What is written: a work offset; where the native cycle writes, what that sets; where it has none, what the program does. */
+  /** Target of the write: a work offset, or what the native cycle sets; otherwise the write summary. */
   private does(): TemplateResult {
     const { store } = this;
     const own = store.ownPreset(store.get("control.post"), store.cycle.type);
@@ -251,7 +251,7 @@ class BarPart extends FieldPart {
     }`;
   }
 
-  /** The number of an offset such as G154 P12; any other text changes nothing. */
+  /** Reads the number of an offset such as G154 P12; other text changes nothing. */
   private page(box: HTMLInputElement, first: number, count: number): void {
     const page = Number(box.value);
     if (Number.isInteger(page) && page >= 1 && page <= count)
@@ -270,7 +270,7 @@ class BarPart extends FieldPart {
     }
   }
 
-  /** What the native cycle sets. */
+  /** Values that the native cycle sets. */
   private sets(): TemplateResult {
     const { store } = this;
     const cycle = store.draft.cycle as Draft;
@@ -298,7 +298,7 @@ class BarPart extends FieldPart {
     );
   }
 
-  /** The work offsets; the many of one word, such as G154 P1 to P99, are one entry with a number. */
+  /** Work offsets. Many offsets with the same word, such as G154 P1 to P99, are one entry with a number. */
   private offsets() {
     const { store } = this;
     const { post } = store;
@@ -346,14 +346,14 @@ class BarPart extends FieldPart {
   }
 }
 
-/** A section of a kept machine without the work offset that is written: that belongs to the job. */
+/** A section of a stored machine without the work offset, which belongs to the job. */
 function unwritten(section: unknown): unknown {
   if (!isObject(section)) return section;
   const { workOffset: _, ...rest } = section;
   return rest;
 }
 
-/** Whether a machine that was kept says the same: what it does not say is not asked. */
+/** Whether a stored machine matches. Keys that it does not specify are not compared. */
 function isSame(kept: unknown, now: unknown): boolean {
   if (kept === undefined) return true;
   if (

@@ -3,12 +3,12 @@ import { w } from "../words.js";
 import { type Drawing, VIEWS } from "./drawing.js";
 import { StorePart } from "./part.js";
 
-/** A part with a canvas, and what that needs while the part is there. */
+/** A part with a canvas. */
 export abstract class CanvasPart extends StorePart {
   protected drawing?: Drawing;
   protected readonly observer = new ResizeObserver(() => this.restyle());
 
-  /** The canvas has another size, or the page other colours. */
+  /** Called after the size of the canvas or the colours of the page have changed. */
   protected restyle = (): void => {
     this.drawing?.restyle();
   };
@@ -16,7 +16,7 @@ export abstract class CanvasPart extends StorePart {
   override connectedCallback(): void {
     super.connectedCallback();
     this.store.addEventListener("recolour", this.restyle);
-    // Moved to another place of the page, it has lost its drawing.
+    // After a move to another position of the page the drawing is lost.
     this.requestUpdate();
   }
 
@@ -29,7 +29,7 @@ export abstract class CanvasPart extends StorePart {
   }
 }
 
-/** What the views are called. */
+/** Names of the views. */
 const VIEW_NAMES = {
   top: w("top"),
   front: w("front"),
@@ -55,7 +55,7 @@ export abstract class DrawnPart extends CanvasPart {
     return this.querySelector("canvas") as HTMLCanvasElement;
   }
 
-  /** The canvas for what is pointed at: it lies over the picture, which need not be drawn again. */
+  /** Canvas for highlights. It lies over the picture, which need not be redrawn. */
   protected over(): HTMLCanvasElement {
     return this.querySelector("canvas.over") as HTMLCanvasElement;
   }

@@ -13,7 +13,7 @@ import { StorePart } from "./part.js";
 
 type Row = Plan["safety"][number];
 
-/** What a rule came to: a sign that is no colour alone, and a word for who hears it. */
+/** Result of a rule: a sign that does not depend on colour, and a word for screen readers. */
 function sign(row: Row, own: boolean): { mark: string; word: string } {
   if (row.holds === null)
     return {
@@ -27,7 +27,7 @@ function sign(row: Row, own: boolean): { mark: string; word: string } {
     : { mark: "!", word: w("does not hold") };
 }
 
-/** What the safety rules came to, and what was proven of the program, in a line. */
+/** Summary of the safety rules and the proof, in one line. */
 export function checked(store: Store): string {
   const { plan } = store;
   const count = (holds: boolean | null) =>
@@ -55,20 +55,20 @@ export function checked(store: Store): string {
     .join("; ");
 }
 
-/** Of how many rules the program can say nothing: the native cycle does it, or the control cannot. */
+/** Number of rules left to the native cycle or not guaranteed by the control. */
 function unheld(store: Store, count: number): string {
   return store.ownCycle
     ? store.t("{count} left to the native cycles", count)
     : store.t("{count} this control cannot guarantee", count);
 }
 
-/** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
+/** All findings with links to their fields, and the result of each safety rule. */
 class ChecksPart extends StorePart {
   static override properties = { linked: { attribute: false } };
   protected override storeEvents = ["change"];
-  /** Whether the program is on the page, to show lines of it. */
+  /** Whether the program is on the page, so that its lines can be shown. */
   declare linked: boolean;
-  /** Whether the controls are looked at: nothing is planned for them before. */
+  /** Whether the list of controls is open; nothing is planned for it before. */
   private open = false;
 
   override render(): TemplateResult {
@@ -78,7 +78,7 @@ class ChecksPart extends StorePart {
       findings.filter((f) => f.level === level),
     );
     const bad = plan.safety.some((row) => row.holds === false);
-    // Where one reason is that of every rule, it is said once.
+    // A reason that all rules share is shown once.
     const [first, ...others] = plan.safety;
     const same =
       first?.holds === null &&
@@ -156,7 +156,7 @@ class ChecksPart extends StorePart {
       ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.named(f.path)}</a>` : nothing}</li>`;
   }
 
-  /** What a path is called: a field by its label, a section by its heading, the cycle by its title. */
+  /** Name of a path: the label of a field, the heading of a section, the title of the cycle. */
   private named(path: string): string {
     if (path === "cycle") return this.store.cycle.title;
     const group = this.store.catalog.sections.find(
@@ -165,7 +165,7 @@ class ChecksPart extends StorePart {
     return this.store.fieldAt(path)?.label ?? (group ? this.t(group) : path);
   }
 
-  /** A rule; `reason`: with why this control cannot hold it. */
+  /** A rule. `reason`: with the reason why this control cannot guarantee it. */
   private row(row: Row, reason: boolean): TemplateResult {
     const { mark, word } = sign(row, this.store.ownCycle);
     const rule = this.store.catalog.rules.find(
@@ -176,7 +176,7 @@ class ChecksPart extends StorePart {
       ${unable ? rule?.says : this.store.say(row.said)}${unable && reason ? html`: <small>${this.store.say(row.said)}</small>` : nothing}${this.lines(row)}</li>`;
   }
 
-  /** The lines that break a rule, else those that it was asked of; a click shows them in the program. */
+  /** Lines that break a rule, else those that it checks. A click shows them in the program. */
   private lines({ lines, about }: Row): TemplateResult | typeof nothing {
     const shown = lines.length ? lines : about;
     if (shown.length === 0) return nothing;

@@ -1,6 +1,6 @@
-// Colours for the words of a program, without an element a word: ranges of text in the browser's registry of highlights, made when there is time.
+// Syntax colours of a program without an element per word: ranges in the browser's highlight registry, made when the page is idle.
 
-/** The kinds of words, and what they look like in any dialect: word addresses, Klartext, O-words, R and Q parameters. The first that fits a place counts. */
+/** Kinds of words in all dialects: word addresses, Klartext, O-words, R and Q parameters. The first match counts. */
 const KINDS: [name: string, words: RegExp][] = [
   ["comment", /\([^)]*\)|;.*$/],
   ["text", /"[^"]*"/],
@@ -15,7 +15,7 @@ const WORDS = new RegExp(
   "gm",
 );
 
-/** Words of a line by kind, from and to. */
+/** Words of a line by kind, with start and end. */
 export function words(
   line: string,
 ): { kind: string; from: number; to: number }[] {
@@ -29,20 +29,23 @@ export function words(
   });
 }
 
-/** The browser's registry; an old browser has none, and shows programs in one colour. */
+/** The browser's highlight registry; older browsers show programs in one colour. */
 const registry = (globalThis as { CSS?: { highlights?: HighlightRegistry } })
   .CSS?.highlights;
 
-/** The colours of one program that is shown: of its lines in sight, since every coloured line is painted anew at each keystroke. Several on a page share the registry. */
+/**
+ * Syntax colours of one program, only for visible lines, because every coloured line is repainted at each keystroke. Several programs on a page share the
+ * registry.
+ */
 export class Colours {
   private ranges: [Highlight, StaticRange][] = [];
   private asked = 0;
   private box: HTMLElement | null = null;
   private readonly again = () => this.show(0);
-  /** A box that has another size shows other lines; so does one that was hidden. */
+  /** A box with another size shows other lines; so does one that becomes visible. */
   private readonly sizes = new ResizeObserver(this.again);
 
-  /** Colours what is in sight of a box, whatever it is scrolled to. */
+  /** Colours the visible lines of a box and follows its scrolling. */
   follow(box: HTMLElement): void {
     if (!registry || box === this.box) return;
     this.leave();
@@ -51,7 +54,7 @@ export class Colours {
     this.sizes.observe(box);
   }
 
-  /** Colours nothing any more. */
+  /** Ends the colouring. */
   leave(): void {
     this.clear();
     this.sizes.disconnect();
@@ -59,7 +62,7 @@ export class Colours {
     this.box = null;
   }
 
-  /** Colours the lines in sight after so many milliseconds, in which nothing else was shown. */
+  /** Colours the visible lines after this many milliseconds without another call. */
   show(wait: number): void {
     if (!this.box) return;
     clearTimeout(this.asked);
@@ -68,7 +71,7 @@ export class Colours {
 
   private colour(): void {
     this.clear();
-    // Where the system chooses the colours, it gives every marked word those of a selection.
+    // With forced colours the system shows every highlight as a selection.
     if (matchMedia("(forced-colors: active)").matches) return;
     const sight = this.box?.getBoundingClientRect();
     if (!this.box || !sight) return;

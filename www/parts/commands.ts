@@ -4,17 +4,17 @@ import { found, hasWord, LENGTHS, textOf, wordsIn } from "../search.js";
 import { w } from "../words.js";
 import { StorePart } from "./part.js";
 
-/** Something that can be done or gone to. */
+/** A command: an action or a target. */
 interface Command {
-  /** What it is. */
+  /** Its name. */
   name: string;
-  /** What kind of thing it is. */
+  /** Its kind. */
   kind: string;
-  /** A sentence on it. */
+  /** One sentence about it. */
   says?: string;
-  /** What else it is looked for by. */
+  /** Additional search words. */
   also?: string;
-  /** Does it, by an event: its name and what it is about. */
+  /** Event that runs it: name and detail. */
   event: [name: string, detail: string];
 }
 
@@ -32,13 +32,13 @@ const UNITS = "units millimetre metric imperial inches";
 const NATIVE =
   "Renishaw macros Inspection Plus G65 P9810 P9811 P9812 P9814 P9815 P9816 P9821 P9822 P9823 P9834 P9843 9812 9814 measuring cycles CYCLE977 CYCLE978 977 978 touch probe TCH PROBE 408 409 410 411 412 413 420 421 422 423 424 425 426 427 1411 native own";
 
-/** So many are listed. */
+/** Maximum number of entries listed. */
 const MOST = 40;
 
-/** One list to find everything by typing: cycles, fields, controls, tools, actions. */
+/** List to find everything by typing: cycles, fields, controls, tools, actions. */
 class CommandsPart extends StorePart {
   protected override storeEvents: string[] = [];
-  /** What the page can do besides: what is asked for, and its name. */
+  /** Other actions of the page: key and name. */
   declare actions: [what: string, name: string][];
   private query = "";
   private at = 0;
@@ -67,7 +67,7 @@ class CommandsPart extends StorePart {
     }</dialog>`;
   }
 
-  /** Opens it, with an empty field that has the focus. */
+  /** Opens the list with an empty, focused field. */
   async open(): Promise<void> {
     this.shown = true;
     this.query = "";
@@ -120,7 +120,7 @@ class CommandsPart extends StorePart {
     const text = ({ name, kind, says = "", also = "" }: Command) =>
       `${name} ${kind} ${says} ${also}`.toLowerCase();
     const words = wordsIn(this.query);
-    // What is called so comes before what is only found so.
+    // Matches of the name come before other matches.
     const called = ({ name }: Command) =>
       words.every((word) => hasWord(name.toLowerCase(), word));
     const all = found(this.all(), this.query, text).things;
@@ -261,7 +261,7 @@ class CommandsPart extends StorePart {
       ...controls,
       ...about,
     ];
-    // Nothing is offered that a job which can only be looked at does not do.
+    // A read-only job is offered no actions that change it.
     return store.readonly
       ? all.filter(({ event: [name] }) => name !== "choose")
       : all;

@@ -1,22 +1,22 @@
-// What differs between two programs, line by line.
+// Compares two programs line by line.
 import { diffArrays } from "diff";
 
-/** A line of either program: of both (` `), of the earlier or other one only (`-`), of the present one only (`+`). */
+/** A line: of both programs (` `), only of the other one (`-`), only of the current one (`+`). */
 export interface Compared {
   sign: " " | "-" | "+";
   text: string;
-  /** The 0-based line of the present program; null for one that is not in it. */
+  /** 0-based line in the current program; null if it is not there. */
   line: number | null;
-  /** The same of the other program. */
+  /** 0-based line in the other program; null if it is not there. */
   other: number | null;
 }
 
-/** A row of the comparison: the line of the other program and the line of the present one. */
+/** A row of the comparison: the line of the other program and that of the current one. */
 export type Pair = [Compared | null, Compared | null];
 
 const linesOf = (text: string) => text.replace(/\n$/, "").split("\n");
 
-/** The lines of both programs in their order. */
+/** Lines of both programs in order. */
 export function compare(other: string, present: string): Compared[] {
   let [here, there] = [0, 0];
   return diffArrays(linesOf(other), linesOf(present)).flatMap(
@@ -33,7 +33,7 @@ export function compare(other: string, present: string): Compared[] {
   );
 }
 
-/** Both programs beside each other: lines that replace others share their rows. */
+/** Both programs side by side. Lines that replace others share their rows. */
 export function beside(lines: Compared[]): Pair[] {
   const pairs: Pair[] = [];
   let [less, more]: [Compared[], Compared[]] = [[], []];

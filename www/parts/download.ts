@@ -1,4 +1,4 @@
-// Handing something out: as a file, or to the clipboard.
+// Saves files and copies to the clipboard.
 import { html, nothing, type TemplateResult } from "lit";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
@@ -12,7 +12,7 @@ export function download(text: string, name: string, type: string): void {
   URL.revokeObjectURL(link.href);
 }
 
-/** Copies a text; false where the browser does not allow it. */
+/** Copies a text; returns false if the browser does not allow it. */
 export async function copy(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -22,11 +22,11 @@ export async function copy(text: string): Promise<boolean> {
   }
 }
 
-/** What is to be said of a text that was to be copied. */
+/** Message about a copy. */
 export const copied = (done: boolean): string =>
   done ? w("Copied") : w("The browser did not allow it");
 
-/** Why nothing is handed out, beside the buttons that would; they name it by `aria-describedby`. */
+/** Reason why nothing can be saved, beside the buttons for it; they refer to it by `aria-describedby`. */
 export function withheld(
   store: Store,
   id: string,

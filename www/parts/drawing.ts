@@ -1,4 +1,4 @@
-// The picture on a canvas, for the parts of the page that have one.
+// The picture on a canvas, for the parts that have one.
 import { awaited, PageView } from "../core/browser.js";
 import type { Store } from "../store.js";
 
@@ -14,7 +14,7 @@ const COLOURS = [
   "highlight",
 ];
 
-/** The dimensions of the next job are called as the form calls its fields, in the language of the page. */
+/** Names the dimensions of the next job like the fields of the form, in the language of the page. */
 export function label(view: PageView, store: Store): void {
   const fields = store.lang === "en" ? [] : store.cycle.fields;
   view.setLabels(
@@ -24,25 +24,25 @@ export function label(view: PageView, store: Store): void {
   );
 }
 
-/** Where a picture is looked at from. */
+/** Views of the picture. */
 export const VIEWS = ["top", "front", "side", "isometric"] as const;
 
-/** A View that is there as long as its part is, and made anew where the module's instance is another one. */
+/** A View for the lifetime of its part. It is made again if the instance of the module changes. */
 export class Drawing {
   private view?: PageView;
-  /** The frame in which the picture is drawn next. */
+  /** Request for the next animation frame. */
   private frame = 0;
 
   /**
-   * `show` puts into a new View what the canvas must show; what is pointed at is drawn on the canvas `over` it, where there is one. Such a picture, which
-   * changes under a hand, is drawn once a frame at most; any other at once.
+   * `show` loads the canvas content into a new View. Highlights are drawn on the canvas `over` it, if there is one. A picture with highlights changes
+   * interactively and is drawn at most once per frame; any other immediately.
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly show: (view: PageView) => void,
     private readonly over?: HTMLCanvasElement,
   ) {
-    // The browser may lose what a canvas shows, and the state it was drawn with.
+    // The browser may lose the canvas content and its drawing state.
     canvas.addEventListener("contextrestored", this.restored);
     awaited()?.then(this.restored, () => undefined);
   }
@@ -52,13 +52,13 @@ export class Drawing {
     if (!this.freed) this.restyle();
   };
 
-  /** Works with the View; not before the module is there. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
+  /** Uses the View, not before the module is loaded. A View of an earlier instance of the module fails: the work is repeated with a new one. */
   use<T>(work: (view: PageView) => T): T | undefined {
     if (this.over) this.frame ||= requestAnimationFrame(() => this.paint());
     return this.with(work);
   }
 
-  /** The canvas' size and the page's colours, as the style sheet has them now. A canvas of another size is empty: it is drawn at once. */
+  /** Applies the size of the canvas and the colours of the style sheet. A resized canvas is empty, so it is redrawn immediately. */
   restyle(): void {
     this.with((view) => this.fit(view));
     this.paint();
@@ -70,7 +70,7 @@ export class Drawing {
     this.use((view) => view.zoom(factor, clientWidth / 2, clientHeight / 2));
   }
 
-  /** Zooms about the pointer as the wheel turns. */
+  /** Zooms about the pointer with the wheel. */
   wheel(event: WheelEvent): void {
     event.preventDefault();
     const box = this.canvas.getBoundingClientRect();
@@ -99,14 +99,14 @@ export class Drawing {
     event.preventDefault();
   }
 
-  /** Looks from elsewhere. */
+  /** Changes the view. */
   look(from: string): void {
     this.use((view) => view.look(from));
   }
 
   free(): void {
     this.freed = true;
-    // The canvas may have another drawing later.
+    // The canvas may get another drawing later.
     this.canvas.removeEventListener("contextrestored", this.restored);
     this.rest();
     this.drop();
@@ -117,13 +117,13 @@ export class Drawing {
     this.view = undefined;
   }
 
-  /** Draws what has changed since the last frame. */
+  /** Draws the changes since the last frame. */
   private paint(): void {
     this.rest();
     if (this.view) this.with((view) => view.render());
   }
 
-  /** No frame is waited for. */
+  /** Cancels the pending frame. */
   private rest(): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;

@@ -5,7 +5,7 @@ import { w } from "../words.js";
 import { copy, download } from "./download.js";
 import type { PicturePart } from "./picture.js";
 
-/** A program to be saved. */
+/** A program to save. */
 export interface Saving {
   name: string;
   text: string;
@@ -13,30 +13,30 @@ export interface Saving {
   extension: string;
 }
 
-/** What the page does with what is handed out. */
+/** The page's part in saving. */
 interface Page {
-  /** Says something of the job as it is now. */
+  /** Shows a message about the current state of the job. */
   tell(said: Message): void;
-  /** Shows a link, to be taken by hand. */
+  /** Shows a link to copy by hand. */
   show(link: string): void;
-  /** Says where the program is seen that it was saved, and whether another one of this name was saved before. */
+  /** Reports a saved program, and whether another one was saved under this name before. */
   saved(name: string, other: boolean): void;
-  /** Offers a program to the host page; false where that saves it itself. */
+  /** Offers a program to the host page; returns false if the host page saves it. */
   offer(saving: Saving): boolean;
-  /** The picture that is looked at. */
+  /** The visible picture. */
   picture(): PicturePart | null;
-  /** Where it is looked at from. */
+  /** Its view. */
   view(): PicturePart["from"];
 }
 
-/** What is handed out: the program, the job, its picture, a link to it. */
+/** Saves and copies: the program, the job, its picture, a link. */
 export class Export {
   constructor(
     private readonly store: Store,
     private readonly page: Page,
   ) {}
 
-  /** Saves the program, only ever that of the present form. False if the form has errors. */
+  /** Saves the program of the current form. Returns false if the form has errors. */
   program(): boolean {
     const { store } = this;
     if (store.stale) return false;
@@ -51,7 +51,7 @@ export class Export {
     return true;
   }
 
-  /** Saves the present form, also with errors: it is the user's work. */
+  /** Saves the current form, even with errors: it is the user's work. */
   job(): void {
     download(
       `${JSON.stringify(this.store.job, null, 2)}\n`,
@@ -60,7 +60,7 @@ export class Export {
     );
   }
 
-  /** Saves the picture in its present view, of the present form. */
+  /** Saves the picture of the current form in its current view. */
   picture(): void {
     const { store } = this;
     if (store.withheld !== null) {
@@ -77,7 +77,7 @@ export class Export {
     );
   }
 
-  /** The picture as it is looked at, of the last form that had a plan. */
+  /** The picture in its current view, for the last form with a plan. */
   svg(): string {
     const { store } = this;
     const picture = this.page.picture();
@@ -88,7 +88,7 @@ export class Export {
     );
   }
 
-  /** Copies a link to the job; where the browser does not allow that, shows it. */
+  /** Copies a link to the job; shows it if the browser does not allow copying. */
   async link(): Promise<void> {
     const fragment = await toFragment({
       job: this.store.job,

@@ -50,7 +50,7 @@ class MiniPart extends StorePart {
 
 customElements.define("tp-mini", MiniPart);
 
-/** Results of a cycle in a few signs: `X Y ∠`, or `judged`. */
+/** Results of a cycle as symbols: `X Y ∠`, or `judged`. */
 function givesInWords(store: Store, index: number): string {
   const rows = store.plan.results.filter(
     ({ cycle, value }) => cycle === index && value !== null,

@@ -6,10 +6,10 @@ import { readNumber } from "../number.js";
 import { w } from "../words.js";
 import { StorePart } from "./part.js";
 
-/** What each axis of the datum is called in its sentence. */
+/** Names of the axes of the datum in its sentence. */
 const AXES = { x: "X", y: "Y", z: "Z", rotation: w("rotation") } as const;
 
-/** What a relation can be of: cycles that measure a place in the plane, and single results. */
+/** Possible operands of a relation: cycles that measure a position in the plane, and single results. */
 interface Operands {
   places: string[];
   results: string[];
@@ -24,7 +24,7 @@ class FeaturesPart extends StorePart {
     return html`${this.adding(several)}${several ? html`${this.relations()}${this.around()}` : nothing}`;
   }
 
-  /** What is written from which cycle, and the height between them. */
+  /** Sources of the datum, and the clearance plane between the cycles. */
   private around(): TemplateResult {
     const { store } = this;
     const { clear } = store.features;
@@ -111,7 +111,7 @@ class FeaturesPart extends StorePart {
     const options = [
       ...proposed,
       { value: "none", label: this.t("not written") },
-      // What an axis is written from is mostly one result of a cycle: then its name says enough.
+      // An axis is usually written from the only suitable result of a cycle: then its name is enough.
       ...choices.map((one) => {
         const [name = one] = one.split(".");
         const alone =
@@ -131,7 +131,7 @@ class FeaturesPart extends StorePart {
     return html`<label><span>${this.t(AXES[axis])}</span> <select aria-label=${this.t("{axis} is written from", this.t(AXES[axis]))} ?disabled=${store.readonly} @change=${take}>${options.map((o) => html`<option value=${o.value} ?selected=${o.value.toLowerCase() === now.toLowerCase()}>${o.label}</option>`)}</select></label>`;
   }
 
-  /** What is computed of the results of these cycles. */
+  /** Relations between results of these cycles. */
   private relations(): TemplateResult | typeof nothing {
     const { store } = this;
     const { relations } = store.features;
@@ -195,7 +195,7 @@ class FeaturesPart extends StorePart {
     else box.value = this.store.features.relations[i]?.name ?? "";
   }
 
-  /** What a relation can be of. */
+  /** Possible operands of a relation. */
   private operands(): Operands {
     const { plan } = this.store;
     const names = [...plan.cycles, ...plan.relations];

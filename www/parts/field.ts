@@ -37,7 +37,7 @@ function headed(choices: Choice[]): [string, Choice[]][] {
 /** The codes of results that are sizes. */
 const SIZES = /^(diameter|width\d?|distance|difference|mean)$/;
 
-/** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
+/** A part with fields of the job: their values, messages and input. */
 export abstract class FieldPart extends StorePart {
   protected override storeEvents = ["change"];
 
@@ -63,7 +63,7 @@ export abstract class FieldPart extends StorePart {
         : String(held));
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const unit = this.unit(field);
-    // Beside a box for null there is less room.
+    // A checkbox for null leaves less room.
     const crowded =
       unit !== "" &&
       text.length + unit.length > (field.null === null ? 14 : 12);
@@ -113,13 +113,13 @@ export abstract class FieldPart extends StorePart {
     return html`<select class="equals" aria-label=${this.t("{label} follows a result", label)} title=${this.t("{label} follows a result", label)} @change=${take}><option value="">=</option>${results.map((one) => html`<option value=${one}>${one.slice(1)}</option>`)}</select>`;
   }
 
-  /** What a field of a cycle can follow: results of the cycles before it, and of relations of those alone. `axis` is that of a coordinate of its place. */
+  /** Results that a field of a cycle can follow: those of earlier cycles and of relations between them. `axis`: the field is a coordinate along this axis. */
   protected followed(field: FieldEntry, path: string, axis?: number): string[] {
     const { features, plan } = this.store;
     const control = this.store.catalog.posts.find(
       ({ id }) => id === plan.program.post,
     );
-    // Where the program does not compute, nothing follows.
+    // Without computed results there is nothing to follow.
     if (
       !features.several ||
       !path.startsWith("cycle.") ||
@@ -157,10 +157,10 @@ export abstract class FieldPart extends StorePart {
       : [];
   }
 
-  /** What the field that has the focus held when it got it. */
+  /** Value of the focused field when it got the focus. */
   private entry: string | undefined;
 
-  /** A nominal value may carry a tolerance (`20+0.1-0.1`): it is no sum. */
+  /** A nominal value may include a tolerance (`20+0.1-0.1`), which is no sum. */
   private typed(field: FieldEntry, path: string, text: string): void {
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const plain =
@@ -168,7 +168,7 @@ export abstract class FieldPart extends StorePart {
       isWorkedOut(
         text.replaceAll("−", "-").replace(/\s*(mm|inch|in|"|″)$/i, ""),
       );
-    // How much a size of the virtual part differs is no size.
+    // A size deviation of the virtual part is no size.
     const size = field.size && !path.startsWith("part.");
     this.store.set(
       path,
@@ -185,12 +185,12 @@ export abstract class FieldPart extends StorePart {
     );
   }
 
-  /** A sum shows what it comes to; any other text stays as it was typed. */
+  /** Replaces a sum by its value; other text stays as it was typed. */
   private accept(path: string): void {
     this.store.settle();
     const text = this.store.typed.get(path);
     const value = this.store.get(path);
-    // The other sign may be read as a decimal sign: what it was read as is shown.
+    // The other decimal sign may be a group separator: the field shows the number that was read.
     const other = this.store.comma ? "." : ",";
     if (
       text !== undefined &&
@@ -239,12 +239,12 @@ export abstract class FieldPart extends StorePart {
       !event.altKey &&
       !event.metaKey
     ) {
-      // Only the nominal size changes.
+      // Changes only the nominal size.
       const next = value.replace(NOMINAL, (_, sign: string, size: string) => {
         const stepped =
           Number(size.replace(",", ".")) +
           step * this.step(field, event.shiftKey);
-        // A size is larger than 0.
+        // A size is greater than 0.
         const text = stepped > 0 ? String(tidy(stepped)) : size;
         return sign + (size.includes(",") ? text.replace(".", ",") : text);
       });
@@ -254,7 +254,7 @@ export abstract class FieldPart extends StorePart {
     event.preventDefault();
   }
 
-  /** What an arrow key adds; with Shift a tenth of it. */
+  /** Step of an arrow key; with Shift a tenth of it. */
   private step(field: FieldEntry, fine: boolean): number {
     if (field.kind === "count") return 1;
     const coarse = {
@@ -268,7 +268,7 @@ export abstract class FieldPart extends StorePart {
     return coarse[field.unit] * (fine ? 0.1 : 1);
   }
 
-  /** A choice from a list; one that is not of the list is shown as it is. */
+  /** A menu. A value that is not in its list is shown as it is. */
   protected select(
     path: string,
     choices: Choice[],
@@ -300,7 +300,7 @@ export abstract class FieldPart extends StorePart {
       </select></span>`;
   }
 
-  /** A choice of a few short words that are all seen; a value that is none of them is shown beside them. */
+  /** Radio buttons for a few short choices. A value that is none of them is shown beside them. */
   protected radios(
     path: string,
     words: string[],
@@ -326,7 +326,7 @@ export abstract class FieldPart extends StorePart {
     return fields?.find((f) => f.key === (key ?? section))?.default ?? null;
   }
 
-  /** Help and messages of a field, for what reads them out; the box at the foot of the form shows them. */
+  /** Help and messages of a field for screen readers; the help box of the form shows them. */
   protected said(
     { field, path }: Placed,
     parts: string[] = [path],
@@ -344,7 +344,7 @@ export abstract class FieldPart extends StorePart {
     return this.store.at(path).some((f) => f.level === "error");
   }
 
-  /** The gravest that is said of a field. */
+  /** Most severe level of a field's findings. */
   protected level(path: string): string {
     const found = this.store.at(path);
     return found.some((f) => f.level === "error")

@@ -2,19 +2,19 @@ import { html, type TemplateResult } from "lit";
 import type { Store } from "../store.js";
 import type { Found } from "./shown.js";
 
-/** Looks for words in a text, line by line: a field, and what it found. */
+/** Searches a text line by line: a field with its matches. */
 export class Finder {
   /** The text in the field. */
   private typed = "";
-  /** What is looked for, in small letters. */
+  /** Search text in lower case. */
   private words = "";
   private lines: number[] = [];
-  /** The text that lines were given for; null where they were looked for. */
+  /** Text whose matches were given from outside; null after a search. */
   private givenFor: string | null = null;
-  /** Which of the lines is shown. */
+  /** Index of the current match. */
   private at = -1;
 
-  /** `show` brings the line that is shown into sight; the part is rendered again. */
+  /** `show` scrolls to the current match; the part is rendered again. */
   constructor(
     private readonly store: () => Store,
     private readonly text: () => string,
@@ -31,7 +31,7 @@ export class Finder {
       <span role="status" class="status-text found">${hidden ? "" : this.said()}</span>`;
   }
 
-  /** The text may be another one: the words are looked for again, and the lines stay where they are. Lines that were given go with their text. */
+  /** Searches again after the text may have changed; the current match stays. Matches from outside end with their text. */
   again(): void {
     if (this.givenFor !== null && this.givenFor !== this.text()) this.look("");
     if (this.words === "") return;
@@ -43,7 +43,7 @@ export class Finder {
     return { matches: new Set(this.lines), here: this.lines[this.at] ?? -1 };
   }
 
-  /** Marks these lines as found. */
+  /** Marks these lines as matches. */
   give(lines: number[]): void {
     this.look("");
     this.givenFor = this.text();
@@ -68,7 +68,7 @@ export class Finder {
       .flatMap((text, line) => (holds(text) ? [line] : []));
   }
 
-  /** To the next line that was found, or the one before; past the end from the start again. */
+  /** Goes to the next or previous match, and past the end to the first. */
   private step(way: 1 | -1): void {
     const { length } = this.lines;
     if (length > 0)
@@ -76,7 +76,7 @@ export class Finder {
     this.show();
   }
 
-  /** How many lines were found, and which of them is shown. */
+  /** Number of matches and the current one. */
   private said(): string {
     const store = this.store();
     const { length } = this.lines;

@@ -33,7 +33,7 @@ const ALWAYS: Record<string, string> = {
   "no-results-in-program": w("The program computes nothing."),
 };
 
-/** What puts it right at once. A key that no job has is in no field: what helps is to remove it. A trial of the virtual part can end. Undo brings both back. */
+/** The button that corrects a finding: it removes a key that no job has, or ends a trial of the virtual part. Undo restores both. */
 export function remedy(
   store: Store,
   { code, path }: Finding,
@@ -58,13 +58,13 @@ export function nominal(store: Store): TemplateResult {
 /** State of the job: ready to save, or the most severe finding, and a summary of the run. One line in the footer, several lines above the results. */
 class FindingsPart extends StorePart {
   protected override storeEvents = ["change"];
-  /** What is shown of the job: there is no way to what is not. */
+  /** Visible panels: the part links to no other. */
   declare panels: string[];
-  /** Whether the page is Touchpath's own: a host receives every job. */
+  /** Whether the page is Touchpath's own; a host page receives every job itself. */
   alone = true;
-  /** What was just done with the job as it is now. */
+  /** Message about the last action on the current state of the job. */
   declare said: Message | null;
-  /** Whether the program is saved here. */
+  /** Whether the page saves programs itself. */
   declare saves: boolean;
   /** Whether it is shown above the results, with several lines. */
   declare tall: boolean;
@@ -81,7 +81,7 @@ class FindingsPart extends StorePart {
   };
 
   override render(): TemplateResult {
-    // Findings that hold for the control are shown at its name.
+    // Findings about the control are shown at its name.
     const { stale } = this.store;
     // The bar marks an unknown probe with a dot.
     const findings = this.store.jobFindings.filter(
@@ -167,7 +167,7 @@ class FindingsPart extends StorePart {
   }
 }
 
-/** How many errors, or else warnings, the Checks hold: beside their name. */
+/** Number of errors, or else warnings, beside the name of the Checks. */
 class BadgePart extends StorePart {
   protected override storeEvents = ["change"];
 

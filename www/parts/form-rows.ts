@@ -1,4 +1,4 @@
-// The rows of the form: a field with its label, its box and what is wrong with it.
+// Rows of the form: a field with its label, input and findings.
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import type { FieldEntry, ResultTolerance } from "../core/browser.js";
@@ -42,7 +42,7 @@ export abstract class FormRows extends FieldPart {
     return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${ACTIONS.map(([value, words]) => html`<option value=${value} .selected=${live(value === actions[0])}>${this.t(words)}</option>`)}</select></span></div>`;
   }
 
-  /** The units of the job. */
+  /** Units of the job. */
   protected units(): TemplateResult | typeof nothing {
     const { store } = this;
     const words = (["mm", "inch"] as const).filter(
@@ -75,7 +75,7 @@ export abstract class FormRows extends FieldPart {
     );
   }
 
-  /** The styli that the host page offers. */
+  /** Styli that the host page offers. */
   protected styli(): TemplateResult | typeof nothing {
     const { store } = this;
     const styli = store.rules.styli(store.units);
@@ -93,7 +93,7 @@ export abstract class FormRows extends FieldPart {
       ${styli.map(({ name }, i) => html`<option value=${i} .selected=${live(i === used)}>${name}</option>`)}</select></span></div>`;
   }
 
-  /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
+  /** The frame for tool lengths, taken from the other tool. */
   protected frame(): TemplateResult {
     const frame = (this.store.get("tool.frame") ?? []) as (
       | { rot: string; angle: number }
@@ -108,7 +108,7 @@ export abstract class FormRows extends FieldPart {
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
 
-  /** A field of the form; one that the host page fixes cannot be changed, as long as it has the value that it must have. */
+  /** A field of the form. A field that the host page has locked cannot be changed while it has the required value. */
   protected field(placed: Placed): TemplateResult {
     const { rules } = this.store;
     const { path } = placed;
@@ -122,7 +122,7 @@ export abstract class FormRows extends FieldPart {
       ? this.t("Fixed by {portal}", rules.config.title)
       : this.t("Fixed by this portal");
     const says = why ? `${fixed}: ${why}` : fixed;
-    // A box that is disabled gets no focus, and fingers see no title.
+    // A disabled box gets no focus, and a touch screen shows no title.
     return html`<fieldset class="locked" disabled title=${says}>${this.box(placed)}</fieldset>${why ? html`<p class="why">${says}</p>` : nothing}`;
   }
 
@@ -198,7 +198,7 @@ export abstract class FormRows extends FieldPart {
     );
   }
 
-  /** A rate to start from where one was not wanted before. */
+  /** Initial value of a rate that was null. */
   protected rate(field: FieldEntry): number {
     const stand = this.store.initialValue(field);
     return typeof stand === "number"

@@ -33,19 +33,19 @@ const TOUCH: FieldEntry = {
   when: null,
 };
 
-/** Fields of the sentence at the head, not repeated in the form. */
+/** Fields in the sentence of the bar; the form does not repeat them. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
-/** What a folded group says in any case. */
+/** Values that the summary of a folded group always shows. */
 const FIRST = new Set(["stylus.diameter", "name"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
-/** What only touches need. */
+/** Groups that only cycles with touches need. */
 const OF_TOUCHES =
   /^(stylus|feeds|limits|machine|part|stock|overtravel|control\.(protection|orient|report))\b/;
-/** As many touches are listed; no cycle takes as many. */
+/** Maximum number of touches listed; no cycle has more. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
-/** What only the author of a postprocessor needs. */
+/** Groups that only authors of postprocessors need. */
 const FOR_CAM = /^Postprocessor/;
 const USUAL = w("Clearances, touches, feeds");
 const MACHINE = w("Machine and probe");
@@ -60,28 +60,28 @@ const DOORS: [door: string, groups: RegExp][] = [
   [MACHINE, /^(Program and machine|Probe|Tool length \(SINUMERIK\))$/],
   [PART, /^(Stock|Virtual part)$/],
 ];
-/** The groups of a cycle that need no heading. */
+/** Groups of a cycle without a heading. */
 const PLAIN = /^(Place|Size|Circle [12]|Both circles)$/;
 
-/** A heading, and the fields under it. */
+/** A heading with its fields. */
 type Group = [name: string, fields: Placed[]];
 interface Door {
   name: string;
   groups: Group[];
 }
 
-/** The form, drawn from the catalog: groups that fold to a line of their values. */
+/** The form, built from the catalog. Its groups fold to a line with their values. */
 class FormPart extends FormRows {
-  /** Forms inside the form that may be left out, by heading. */
+  /** Optional groups of the form, by heading. */
   private readonly optional = new Map<
     string,
     { path: string; fields: FieldEntry[] }
   >();
 
-  /** What the user has folded or opened. */
+  /** Groups that the user has folded or opened. */
   private readonly opened = new Map<string, boolean>();
 
-  /** Whether everything else is open. */
+  /** Whether all other groups are open. */
   private all = false;
 
   override render(): TemplateResult {
@@ -130,7 +130,7 @@ class FormPart extends FormRows {
     `;
   }
 
-  /** The groups of the form: those of the cycle, and those in folded sections. */
+  /** Groups of the form: those of the cycle, and those in folded sections. */
   private parted(): { own: Group[]; doors: Door[] } {
     const all = this.groups();
     const doorOf = (name: string) =>
@@ -172,7 +172,7 @@ class FormPart extends FormRows {
   /** The cycle whose form is shown. */
   private shown = "";
 
-  /** The form of another cycle is seen from its top. */
+  /** The form of another cycle starts at its top. */
   protected override updated(changed: PropertyValues): void {
     super.updated(changed);
     const { type } = this.store.cycle;
@@ -182,7 +182,7 @@ class FormPart extends FormRows {
     this.mark();
   }
 
-  /** Unfolds the group of a path; every group where none is named. */
+  /** Unfolds the group of a path; all groups without a path. */
   unfold(path?: string): Promise<boolean> {
     this.all ||= path === undefined;
     if (path?.startsWith("cycle.touches")) this.opened.set(PICKED, true);
@@ -201,7 +201,7 @@ class FormPart extends FormRows {
     return this.updateComplete;
   }
 
-  /** Fields under their headings: the cycle's own first, then the sections around it. */
+  /** Fields by heading: those of the cycle first, then those of the sections. */
   private groups(): [string, Placed[]][] {
     this.optional.clear();
     const { ownFeeds: own, maxTouches } = this.store.cycle;
@@ -209,13 +209,13 @@ class FormPart extends FormRows {
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
-      // What is not shown is, where it must be put right.
+      // A hidden field is shown if it must be corrected.
       if (
         !this.store.rules.showsField(path) &&
         !this.levels(path).includes("error")
       )
         return;
-      // A cycle that touches nothing has no use for these, and some depend on the variant or the control; one that something is said of is there to be mended, until it is left.
+      // A cycle without touches needs none of these, and some depend on the variant or the control. A field with an error is shown until it is left.
       const mended =
         this.levels(path).length > 0 || this.store.focused?.startsWith(path);
       const idle =
@@ -242,7 +242,7 @@ class FormPart extends FormRows {
         const hidden = maxTouches === 0 || !this.store.rules.showsField(path);
         if (hidden || !this.offers(path, fields, groups)) continue;
       }
-      // A cycle with a touch probe table of its own has its own feeds and search length.
+      // A cycle with a touch probe table has its own feeds and search distance.
       if (own && path === "feeds") continue;
       if (path === "tool" && !post?.firstLength) continue;
       for (const field of fields) {
@@ -306,14 +306,14 @@ class FormPart extends FormRows {
     );
   }
 
-  /** The gravest level of what is said of some fields. */
+  /** Most severe level of the findings about some fields. */
   private gravest(fields: Placed[]): string | undefined {
     return ["error", "warning"].find((level) =>
       fields.some(({ path }) => this.levels(path).includes(level)),
     );
   }
 
-  /** A group with its heading; folded, the heading says its values. */
+  /** A group with its heading, which lists the values when folded. */
   private folding(
     name: string,
     open: boolean,
@@ -329,7 +329,7 @@ class FormPart extends FormRows {
     </section>`;
   }
 
-  /** The levels of what is said at a path or inside it. */
+  /** Levels of the findings at a path or inside it. */
   private levels(path: string): string[] {
     const of = (f: Finding) =>
       f.path === path ||
@@ -338,7 +338,7 @@ class FormPart extends FormRows {
     return this.store.findings.filter(of).map((f) => f.level);
   }
 
-  /** Groups with values of a drawing are open at first. */
+  /** Groups with values from a drawing are open at first. */
   private isOpen(name: string): boolean {
     const own = this.store.cycle.fields.some((f) => f.group === name);
     return this.opened.get(name) ?? (this.all || own);
@@ -349,10 +349,10 @@ class FormPart extends FormRows {
     this.requestUpdate();
   }
 
-  /** The group that was gone to last, by its chip or by a field in it. */
+  /** The group that the user visited last, by its chip or a field in it. */
   private near = "";
 
-  /** Whether there are chips: only where the form is narrow. Asked of the page itself it would be laid out at every keystroke. */
+  /** Whether chips are shown: only in a narrow form. Reading this from the page would force a layout at every keystroke. */
   private chipped = false;
 
   private readonly chips = new ResizeObserver(([entry]) => {
@@ -390,14 +390,14 @@ class FormPart extends FormRows {
     this.mark();
   };
 
-  /** Marks the chip of the group that is looked at in the next frame, which lays the page out in any case. */
+  /** Marks the chip of the current group in the next frame, which lays out the page in any case. */
   private readonly mark = (): void => {
     if (!this.chipped) return;
     cancelAnimationFrame(this.marking);
     this.marking = requestAnimationFrame(this.markNow);
   };
 
-  /** Marks the chip of the group that was gone to last as long as it is in sight, else of the first one below the chips. */
+  /** Marks the chip of the group that was visited last while it is visible, else of the first one below the chips. */
   private readonly markNow = (): void => {
     const chips = this.querySelector<HTMLElement>(".chips");
     if (!chips) return;
@@ -420,7 +420,7 @@ class FormPart extends FormRows {
     }
   };
 
-  /** To a group, from a chip. */
+  /** Goes to a group from its chip. */
   private async show(name: string): Promise<void> {
     this.opened.set(name, true);
     this.near = idOf(name);
@@ -429,7 +429,7 @@ class FormPart extends FormRows {
     this.querySelector(`#${idOf(name)}`)?.scrollIntoView({ block: "start" });
   }
 
-  /** The values of a folded group in one line. */
+  /** Values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
     if (name === STOCK) {
       const { size } = (this.store.get("stock") ?? {}) as { size?: unknown[] };
@@ -437,7 +437,7 @@ class FormPart extends FormRows {
     }
     if (name === VIRTUAL)
       return deviations(this.store).join(" · ") || this.t("nominal");
-    // What is at fault first, then the feed that the probe meets the part with, and its ball.
+    // Values with errors come first, then the feed of the touch and the ball.
     const faulty = (path: string) =>
       this.levels(path).some((level) => level !== "info");
     const rank = ({ path }: Placed) =>
@@ -447,7 +447,7 @@ class FormPart extends FormRows {
     const shown = (x: unknown) =>
       typeof x === "number" ? this.store.number(String(x)) : String(x);
     const behind = DOORS.some(([, groups]) => groups.test(name));
-    // Values of a new job need no line.
+    // Initial values are not listed.
     const said = sorted.filter(({ field, path }) => {
       // The save button already shows the name.
       if (path === "name") return faulty(path);
@@ -482,7 +482,7 @@ class FormPart extends FormRows {
     );
   }
 
-  /** The checkbox of an optional section; nothing for a group that is always there. */
+  /** Checkbox of an optional section; nothing for a required group. */
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
@@ -522,7 +522,7 @@ class FormPart extends FormRows {
     }${fitted === null ? html`<p class="help">${this.t("No block parallel to the axes fits these features.")}</p>` : nothing}`;
   }
 
-  /** The touches, picked one by one; else they follow from the dimensions. */
+  /** The picked touches; without any they follow from the dimensions. */
   private touches(): TemplateResult {
     const picks = this.store.get("cycle.touches") as
       | { point: unknown[]; vector: unknown[] }[]
@@ -584,7 +584,7 @@ class FormPart extends FormRows {
     );
   }
 
-  /** Enter continues with the next number. */
+  /** Enter moves on to the next number. */
   private next(box: HTMLElement): void {
     const boxes = [
       ...this.querySelectorAll<HTMLElement>("input[type=text]:not(:disabled)"),

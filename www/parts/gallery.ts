@@ -6,7 +6,7 @@ import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { StorePart } from "./part.js";
 
-/** The groups by what is probed, and the word in a cycle's name that says it; the last takes what no other does. */
+/** Groups by the probed feature, with a word of the cycle's name; the last one takes the rest. */
 const GROUPS: [string, string][] = [
   [w("Surface"), "surface"],
   [w("Round"), "round"],
@@ -30,10 +30,10 @@ function groupOf(cycle: CycleEntry): string {
   return WORDS.find(([word]) => word.test(cycle.type))?.[1] ?? "others";
 }
 
-/** The touches of each cycle's default job. */
+/** Number of touches in each cycle's default job. */
 const COUNTS = new Map<string, number>();
 
-/** What can be measured: every cycle with a sentence and a small drawing of its default job, made by the same code as the large picture. */
+/** The gallery: every cycle with a sentence and a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends StorePart {
   protected override storeEvents = ["change"];
   /** Whether a click adds a feature instead of replacing the cycle. */
@@ -60,7 +60,7 @@ class GalleryPart extends StorePart {
   override render(): TemplateResult {
     const { store } = this;
     const last = Number.POSITIVE_INFINITY;
-    // What moves nothing is for the authors of postprocessors.
+    // Cycles without motion are for authors of postprocessors.
     const all = store.catalog.cycles
       .filter(
         (cycle) =>
@@ -125,12 +125,12 @@ class GalleryPart extends StorePart {
 
   protected override firstUpdated(): void {
     this.paint();
-    // Where fingers point, a focus would bring the keyboard up over the pictures.
+    // On touch screens a focus would open the keyboard over the pictures.
     if (matchMedia("(pointer: fine)").matches)
       this.querySelector<HTMLInputElement>("input")?.focus();
   }
 
-  /** How many touches a cycle makes as it is chosen. */
+  /** Number of touches of a cycle with its default settings. */
   private touches({ type, steps }: CycleEntry): string {
     if (steps.length === 0) return "";
     const known = COUNTS.get(type) ?? plan(defaultJob(type)).touches.length;
@@ -138,7 +138,7 @@ class GalleryPart extends StorePart {
     return known === 1 ? this.t("1 touch") : this.t("{count} touches", known);
   }
 
-  /** Whether the control of the job has it as a cycle of its own. */
+  /** Whether the job's control has a native cycle for it. */
   private own({ type }: CycleEntry): string {
     const { post } = this.store;
     return post && this.store.formsOf(post.id, type).includes("cycle")
@@ -146,7 +146,7 @@ class GalleryPart extends StorePart {
       : "";
   }
 
-  /** Enter takes the first that is found. The key is used up: it must not press the button that gets the focus. */
+  /** Enter chooses the first match. The key must not also press the button that gets the focus. */
   private key(
     event: KeyboardEvent,
     first: CycleEntry | undefined,

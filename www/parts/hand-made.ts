@@ -1,13 +1,13 @@
-// The part of an opened program, put there by hand: a simple feature, where it is, and how far it lies off.
+// Part of an opened program, entered by hand: a simple feature with its position and displacement.
 import { html, type TemplateResult } from "lit";
 import type { Job, ProgramPart, ProgramRun } from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 
-/** The name of such a job: by it the form knows its own. */
+/** Name that marks such a job. */
 const NAME = "BY_HAND";
 
-/** The features, each with its sizes. */
+/** The features with their sizes. */
 const KINDS: [string, string, [Size, string][]][] = [
   ["hole", w("Hole"), [["diameter", w("Diameter")]]],
   ["boss", w("Boss"), [["diameter", w("Diameter")]]],
@@ -45,7 +45,7 @@ export function isHandMade(
   );
 }
 
-/** One of this kind, about where the program probes. */
+/** A feature of this kind near the position where the program probes. */
 export function handMade(run: ProgramRun, kind = "hole"): ProgramPart {
   const seen: [number[], number[], number[]] = [[], [], []];
   run.kind.forEach((is, move) => {
@@ -68,7 +68,7 @@ export function handMade(run: ProgramRun, kind = "hole"): ProgramPart {
   ];
   const middle = ([low, high]: [number, number]) => round((low + high) / 2);
   const inch = run.units === "inch" ? 25.4 : 1;
-  // A touch searches behind the wall: half of what it spans lies before.
+  // A touch searches past the wall, so the probed span is larger than the size.
   const size = (ends: [number, number]) =>
     Math.max(round(ends[1] - ends[0]), round(40 / inch));
   const depth = round(20 / inch);
@@ -115,7 +115,7 @@ function made(
   } as unknown as Job as ProgramPart;
 }
 
-/** Its fields: `number` makes one of a number, `change` takes another part. */
+/** Its fields: `number` makes the input for a number, `change` sets another part. */
 export function handMadeFields(
   store: Store,
   part: ProgramPart & { cycle: Cycle },

@@ -4,7 +4,7 @@ import { isMetric } from "../entries.js";
 import { remedy } from "./findings.js";
 import { StorePart } from "./part.js";
 
-/** The box at the foot of the form, of a fixed height: what the field in focus is, and what is wrong with it. */
+/** Help box of the form, with a fixed height: the focused field and its findings. */
 class HelpPart extends StorePart {
   protected override storeEvents = ["change", "focus"];
 
@@ -44,7 +44,7 @@ class HelpPart extends StorePart {
             this.scaled(entry.unit, ends[1], digits),
           )
         : "";
-    // What is usual is not as exact as what is allowed.
+    // The usual range needs fewer digits than the allowed one.
     const usually = usual
       ? ` ${this.t("Usual {range}.", span(usual, 2))}`
       : range
@@ -74,7 +74,7 @@ class HelpPart extends StorePart {
     );
   }
 
-  /** An end of a range in the job's units; where it is converted, of so many digits at most. */
+  /** A bound of a range in the job's units; a converted one has at most this many digits. */
   private scaled(unit: FieldEntry["unit"], x: unknown, digits: number): string {
     if (typeof x !== "number") return "∞";
     const inch = isMetric(unit) && this.store.units === "inch";

@@ -10,51 +10,51 @@ import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
 
-/** What the page does with what comes in. */
+/** The page's part in opening texts. */
 interface Page {
-  /** Says something to the user; nothing is said with an empty text. */
+  /** Shows a message to the user; an empty text removes it. */
   tell(text: string): void;
   /** Shows the job again, whatever is shown now. */
   showJob(): void;
-  /** The text came from a CAM system: its author sees parameters and codes. */
+  /** Shows parameters and codes: the text came from a CAM system. */
   forCam(): void;
   /** Whether the results are among the panels. */
   showsResults(): boolean;
-  /** Shows the results, with the measured points beside them. */
+  /** Shows the results and the measured points. */
   showResults(): void;
-  /** Shows the moves of a program that says no job. */
+  /** Shows the moves of a program without a job. */
   showMoves(viewed: Viewed): void;
-  /** Loads what reads texts, and says so where that takes a while. */
+  /** Loads the part of the module that reads texts, with a message if it takes a while. */
   whole(): Promise<void>;
-  /** Reads a text beside the page, until the signal aborts it; null if that is not possible. */
+  /** Reads a text in a worker until the signal aborts it; null if there is no worker. */
   beside(text: string, signal: AbortSignal): Promise<Reading> | null;
 }
 
-/** What reads texts could not be loaded. */
+/** The part of the module that reads texts could not be loaded. */
 class NotLoaded extends Error {}
 
-/** A text of as many characters and more is read beside the page: below, that takes longer than the reading. */
+/** Texts from this many characters on are read in a worker; shorter ones are read faster than a worker starts. */
 const LONG = 100_000;
 
-/** A shorter text is no program and no dump: a word that was meant for some field. */
+/** A shorter text is no program and no dump: it was meant for a field. */
 const SHORTEST = 8;
 
 /** A parameter table of a CAM system, as text. */
 const DUMP = /CmdPrm|\.Flt\[|\.Int\[/i;
 
-/** A program that is looked at without a job. */
+/** A program that is viewed without a job. */
 export interface Viewed {
   text: string;
   moves: ProgramMoves;
-  /** Why no job is made of it. */
+  /** Reasons why it yields no job. */
   why: Finding[];
-  /** The name of its file; null of a text that was pasted. */
+  /** Its file name; null for a pasted text. */
   name: string | null;
 }
 
-/** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
+/** Opens texts from outside: chosen and dropped files, pasted text, links. A text that cannot be used changes nothing and is reported. */
 export class Intake {
-  /** For the text that is being read: aborted when another text comes. */
+  /** Aborts the reading of a text when another text arrives. */
   private last = new AbortController();
 
   constructor(
@@ -62,7 +62,7 @@ export class Intake {
     private readonly page: Page,
   ) {}
 
-  /** The kinds of files that may hold a job. */
+  /** Types of files that may contain a job. */
   get readable(): string {
     const programs = this.store.catalog.posts.flatMap(({ extension }) => [
       `.${extension}`,
@@ -82,7 +82,7 @@ export class Intake {
     ].join(",");
   }
 
-  /** A file too large for any program is not even read. */
+  /** A file that is too large for any program is not read. */
   async file(file: File): Promise<void> {
     const { signal, document } = this.begin();
     if (file.size > this.store.longestProgram)
@@ -97,7 +97,7 @@ export class Intake {
     }
   }
 
-  /** The files that a user chose. */
+  /** Opens the files that a user chose. */
   readonly chosen = async (event: Event): Promise<void> => {
     const input = event.target as HTMLInputElement;
     const file = input.files?.[0];
@@ -105,12 +105,12 @@ export class Intake {
     input.value = "";
   };
 
-  /** A file may be dropped anywhere: a job, a dump, a program. */
+  /** Accepts files dropped anywhere: a job, a dump, a program. */
   readonly welcome = (event: DragEvent): void => {
     if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
   };
 
-  /** A text of many megabytes in a field would hold up the browser: it never gets there. */
+  /** Keeps texts of many megabytes out of fields, where they would block the browser. */
   readonly refuse = (event: ClipboardEvent | DragEvent): void => {
     const data =
       event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
@@ -127,7 +127,7 @@ export class Intake {
     this.page.tell(this.store.say(this.store.tooLong(length, "paste")));
   };
 
-  /** Takes what was pasted beside every field: a file, or a text of more than a word. */
+  /** Opens a text that was pasted outside of fields: a file, or more than a word. */
   readonly paste = async (event: ClipboardEvent): Promise<void> => {
     const file = event.clipboardData?.files[0];
     const text = event.clipboardData?.getData("text/plain") ?? "";
@@ -139,7 +139,7 @@ export class Intake {
     else await this.text(text);
   };
 
-  /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
+  /** Loads the job of a link and removes it from the address, so that a reload keeps later changes. */
   readonly link = async (): Promise<void> => {
     const { hash } = location;
     if (!isFragment(hash)) return;
@@ -177,7 +177,7 @@ export class Intake {
     }
   };
 
-  /** Takes a text, begun when the job was this document; false where nothing could be made of it. */
+  /** Reads a text. `document` was the job's document at the start. Returns false if nothing can be made of it. */
   async text(
     text: string,
     document = this.store.document,
@@ -208,7 +208,7 @@ export class Intake {
     }
   }
 
-  /** Takes the job of a call in an opened program, or of all its calls. */
+  /** Loads the job of a call in an opened program, or of all its calls. */
   adopt(job: Job | SetUp): void {
     try {
       this.store.open({
@@ -234,22 +234,22 @@ export class Intake {
     }
   }
 
-  /** Takes a text that was pasted in. */
+  /** Opens a pasted text. */
   readonly pasted = (text: string): Promise<boolean> => this.text(text);
 
-  /** Aborts what is being read. */
+  /** Aborts the reading. */
   stop(): void {
     this.last.abort();
   }
 
-  /** Begins with another text. */
+  /** Starts reading another text. */
   private begin(): { signal: AbortSignal; document: number } {
     this.last.abort();
     this.last = new AbortController();
     return { signal: this.last.signal, document: this.store.document };
   }
 
-  /** Reads a text: a long one beside the page, where that can be. */
+  /** Reads a text, a long one in a worker if possible. */
   private async read(text: string, signal: AbortSignal): Promise<Reading> {
     const reading = text.length < LONG ? null : this.page.beside(text, signal);
     if (!reading) return this.here(text);
@@ -270,7 +270,7 @@ export class Intake {
     return read(text);
   }
 
-  /** Takes the measured points of a log, where the page shows what they give. */
+  /** Loads the measured points of a log if the page shows results. */
   private takePoints(text: string, count: number): boolean {
     if (!this.page.showsResults()) {
       this.page.tell(this.store.t("This text cannot be read"));
@@ -287,7 +287,7 @@ export class Intake {
     return true;
   }
 
-  /** Shows the job of a text, or else its moves; false where it has neither. */
+  /** Shows the job of a text, or else its moves; returns false if it has neither. */
   private take(text: string, reading: Reading, name: string | null): boolean {
     try {
       if (reading.points > 0) return this.takePoints(text, reading.points);
@@ -295,7 +295,7 @@ export class Intake {
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
       const why = this.store.why(thrown);
-      // The job that is there stays.
+      // The current job stays.
       const { moves } = reading;
       if (!moves) {
         this.page.tell(why);
@@ -317,7 +317,7 @@ export class Intake {
       );
       return true;
     }
-    // What the job itself says is read at the foot.
+    // The footer shows the job's own findings.
     const ofJob = new Set(this.store.findings.map((f) => f.message));
     const news = reading.findings.filter(
       (f) => f.level !== "error" && !ofJob.has(f.message),

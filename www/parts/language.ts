@@ -3,21 +3,21 @@ import { keepLanguage, keptLanguage } from "../persistence.js";
 import type { Store } from "../store.js";
 import { type Lang, languageOf, wordsOf } from "../words.js";
 
-/** Where the frame is. */
+/** Surroundings of the frame. */
 interface Around {
   host: HTMLElement;
-  /** Whether a choice is kept in this browser. */
+  /** Whether a choice is stored in this browser. */
   local: boolean;
 }
 
-/** In which language everything is shown: that of the host page, the one that was chosen here, or the browser's; each where it has words. */
+/** Chooses the language: that of the host page, the user's choice, or the browser's, if it has words. */
 export class Language implements ReactiveController {
-  /** The language that was chosen here. */
+  /** Language that the user chose. */
   private chosen = keptLanguage();
-  /** Where the element has no language of its own, that of the host page may change. */
+  /** Without a language of its own, the element follows that of the host page. */
   private readonly observer = new MutationObserver(() => this.follow());
 
-  /** `failed`: the words of a language could not be had. */
+  /** `failed`: called if the words of a language cannot be loaded. */
   constructor(
     private readonly frame: LitElement,
     private readonly store: Store,
@@ -28,7 +28,7 @@ export class Language implements ReactiveController {
   }
 
   hostConnected(): void {
-    // What is around it now may have another language.
+    // The new surroundings may have another language.
     if (this.frame.hasUpdated) this.follow();
     for (
       let root: Node | null = this.around.host.getRootNode();
@@ -42,7 +42,7 @@ export class Language implements ReactiveController {
     this.observer.disconnect();
   }
 
-  /** The language that is wanted. */
+  /** The language to show. */
   private get wanted(): Lang {
     const { host, local } = this.around;
     const own = languageOf([host.lang].filter(Boolean));
@@ -58,18 +58,18 @@ export class Language implements ReactiveController {
     return languageOf([(around as HTMLElement | null)?.lang ?? ""]) ?? "en";
   }
 
-  /** Shows everything in the language that is wanted; its words are loaded first. Where they cannot be had, the language before stays. */
+  /** Switches to the language to show after loading its words. If they cannot be loaded, the previous language stays. */
   async follow(): Promise<void> {
     const { frame, store, wanted } = this;
     frame.lang = store.lang;
     if (wanted === store.lang) return;
     try {
       const words = await wordsOf(wanted);
-      // Another one was asked for meanwhile.
+      // Another language was requested meanwhile.
       if (wanted !== this.wanted) return this.follow();
       store.translate(wanted, words);
       frame.lang = wanted;
-      // The page keeps the words for when there is no network.
+      // Stores the words for use without a network.
       this.around.host.dispatchEvent(
         new CustomEvent("language", { detail: wanted }),
       );
@@ -81,7 +81,7 @@ export class Language implements ReactiveController {
     }
   }
 
-  /** Takes the language that the user chose in the menu. */
+  /** Applies the user's choice of language. */
   async choose(lang: string): Promise<void> {
     const { host, local } = this.around;
     this.chosen = lang;

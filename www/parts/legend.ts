@@ -1,6 +1,6 @@
 import { html, type TemplateResult } from "lit";
 
-/** How kinds of lines are drawn: the dashes of src/view/canvas, and the width of the stroke. */
+/** Line styles of the legend: the dashes of src/view/canvas, and the stroke width. */
 const STROKES = {
   touch: ["", 3],
   link: ["6 4", 2],
@@ -10,7 +10,7 @@ const STROKES = {
   actual: ["7 4", 2],
 } as const;
 
-/** A kind of lines with a piece of one: told apart by its dashes, where colours are not seen. */
+/** A kind of line with a sample of it. Dashes distinguish kinds without colour. */
 export function kind(
   name: keyof typeof STROKES,
   words: string,

@@ -35,7 +35,7 @@ type Step = NonNullable<LentoaxQuery["frame"]>[number];
 
 type Words = ReturnType<typeof lentoaxWords>;
 
-/** What was asked last, by the page's state: who comes back finds the question again. */
+/** Last query by the page's state, restored when the user returns. */
 const ASKED = new WeakMap<Store, Question>();
 
 interface Question {
@@ -43,7 +43,7 @@ interface Question {
   typed: Map<string, string>;
 }
 
-/** The second tool: which tool length acts on which axis. */
+/** Tool length calculator: which tool length acts on which axis. */
 class LentoaxPart extends CanvasPart {
   protected override storeEvents: string[] = [];
   private query: Required<LentoaxQuery> = {
@@ -293,7 +293,7 @@ class LentoaxPart extends CanvasPart {
     `;
   }
 
-  /** The job's probe is this tool, in this plane and frame: what a SINUMERIK makes of it is checked there. */
+  /** Transfers tool, plane and frame to the job, which is then checked for them. */
   private take(): void {
     const { plane, toolType, frame, sd42900, sd42940, sd42950 } = this.query;
     this.store.put("plane", plane);

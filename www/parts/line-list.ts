@@ -1,4 +1,4 @@
-// The lines of an opened program that is not very long: an element a line, as our own programs are shown.
+// Lines of a short opened program, with an element per line.
 import { Colours } from "./colours.js";
 import { attributesOf, MARGIN, type Shown } from "./shown.js";
 
@@ -8,7 +8,7 @@ export class LineList {
   private readonly colours = new Colours();
   private text: string | null = null;
   private lines: HTMLElement[] = [];
-  /** What was lit, found and noted last, to be taken back. */
+  /** Lines that were highlighted, found and annotated last. */
   private marked: HTMLElement[] = [];
 
   constructor(
@@ -85,7 +85,7 @@ export class LineList {
     this.colours.show(0);
   }
 
-  /** Brings a line into sight, where it is not. */
+  /** Scrolls to a line if it is not visible. */
   private reveal(row: HTMLElement | undefined): void {
     if (!row) return;
     const [{ top, bottom }, box] = [

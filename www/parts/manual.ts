@@ -10,10 +10,10 @@ import { resultInWords } from "../sentences.js";
 import { CanvasPart } from "./canvas-part.js";
 import { Drawing } from "./drawing.js";
 
-/** A page of the manual, from the catalog and in the language of the page: of a cycle, or of a control. */
+/** A manual page about a cycle or a control, from the catalog. */
 class ManualPart extends CanvasPart {
   protected override storeEvents = ["change"];
-  /** What it is about: `cycle:hole`, `control:haas`. */
+  /** Its topic: `cycle:hole`, `control:haas`. */
   declare topic: string;
   private drawn = "";
 
@@ -81,7 +81,7 @@ class ManualPart extends CanvasPart {
       ${this.takes(cycles.map((cycle) => [cycle.title, post, cycle.type]))}`;
   }
 
-  /** How controls take cycles: as moves, by a cycle of their own, or why not. */
+  /** Support of cycles by controls: as moves, as a native cycle, or the reason why not. */
   private takes(rows: [string, PostEntry, string][]): TemplateResult {
     return html`<table><thead><tr><th>${this.t("Name")}</th><th>${this.t("moves")}</th><th>${this.t("own cycle")}</th><th>${this.t("Why not")}</th></tr></thead><tbody>${rows.map(
       ([name, post, type]) => {

@@ -24,15 +24,15 @@ import { StorePart } from "./part.js";
 /** Measured values, tolerances and the inspection report. */
 class MeasuredPart extends StorePart {
   protected override storeEvents = ["change"];
-  /** What makes reports, and takes a series apart: fetched when something was measured. */
+  /** Module for reports and series, loaded when there are measurements. */
   private readonly reports = new Reports(() => this.requestUpdate());
-  /** Whether the moves are listed: no list is made before. */
+  /** Whether the list of moves is open; it is not built before. */
   private open = false;
-  /** Whether the measured points are seen: from when there are any, and as the user leaves it. */
+  /** Whether the measured points are shown: once there are any, then as the user chooses. */
   private points = true;
-  /** The measured points as they were. */
+  /** Previous measured points. */
   private known = "";
-  /** What is said of the block that was copied; of another one nothing. */
+  /** Message about the block that was copied; it holds for no other block. */
   private told: { block: string; text: string } | null = null;
 
   private readonly toggle = (event: Event) => {
@@ -89,11 +89,11 @@ class MeasuredPart extends StorePart {
     return kept ? `${kept.stored} = ${kept.nominal ?? 0}` : "37.012, 0, -10";
   }
 
-  /** Who measured and where: as typed last. */
+  /** Inspector and place, as typed last. */
   private by = "";
   private machine = "";
 
-  /** The way to an inspection report. */
+  /** Button for the inspection report. */
   private report(parts: Measurement[]): TemplateResult {
     const box = (label: string, value: string, take: (text: string) => void) =>
       html`<label>${this.t(label)} <input type="text" maxlength="80" spellcheck="false" .value=${value} @change=${(e: Event) => take((e.target as HTMLInputElement).value)} /></label>`;
@@ -144,7 +144,7 @@ class MeasuredPart extends StorePart {
     );
   }
 
-  /** The block that states the work offset, to be typed. */
+  /** The block that sets the work offset, to type at the machine. */
   private block(block: string): TemplateResult {
     const told = this.told?.block === block ? this.told.text : "";
     return html`<div class="block"><b>${this.t("Type this before anything moves:")}</b>
@@ -165,7 +165,7 @@ class MeasuredPart extends StorePart {
     this.requestUpdate();
   }
 
-  /** The number of a touch, of a set-up with its cycle. */
+  /** Number of a touch; in a set-up with its cycle. */
   private touch(k: number): string {
     const { plan } = this.store;
     return this.store
@@ -173,16 +173,16 @@ class MeasuredPart extends StorePart {
       .replace(".", " ");
   }
 
-  /** Whether the tolerances are listed: from when there are any, and as the user leaves it. */
+  /** Whether the tolerances are listed: once there are any, then as the user chooses. */
   private tolerated: boolean | null = null;
 
-  /** The tolerance of each result, and what the program does with a value out of it. */
+  /** Tolerance of each result, and the action of the program when it is exceeded. */
   private tolerances(): TemplateResult | typeof nothing {
     const { store } = this;
     const found = store.findings.filter(
       ({ path, level }) => path.startsWith("tolerances") && level !== "info",
     );
-    // 1411 has tolerances of its own, in its form.
+    // 1411 has its tolerances in its form.
     const rows = store.plan.results.filter(
       ({ code, cycle, value, unit, limits }) =>
         (value !== null ||
@@ -224,7 +224,7 @@ class MeasuredPart extends StorePart {
     const label = `${name}: ${store.say(said.meaning)}`;
     const text = (e: Event) => {
       const tolerance = (e.target as HTMLInputElement).value;
-      // An entry without text is removed. The tool is kept while a new text is typed.
+      // Removes an entry without text. The tool is kept while a new text is typed.
       const empty = tolerance.trim() === "";
       const none = empty && (inSize !== null || !own?.wear);
       const { tolerance: _, ...rest } = own ?? {};
@@ -250,7 +250,7 @@ class MeasuredPart extends StorePart {
       ${own && (own.wear || this.corrects(code)) ? this.wear(cycle, code, name, own) : nothing}</li>`;
   }
 
-  /** Whether the control corrects a tool by this result. */
+  /** Whether the control corrects a tool from this result. */
   private corrects(code: string): boolean {
     const { program } = this.store.plan;
     const post = this.store.catalog.posts.find(({ id }) => id === program.post);
@@ -259,10 +259,10 @@ class MeasuredPart extends StorePart {
     );
   }
 
-  /** What is typed in the boxes of a tool, until they are left: `0.` is on its way to a number. */
+  /** Text in the boxes of a tool until they are left: `0.` may become a number. */
   private typed = new Map<string, string>();
 
-  /** The tool that the macro corrects by this result. What is typed and no number is kept, and reported. */
+  /** The tool that the macro corrects from this result. Text that is no number is kept and reported. */
   private wear(
     cycle: number,
     code: string,
@@ -298,7 +298,7 @@ class MeasuredPart extends StorePart {
       this.requestUpdate();
       store.settle();
     };
-    // Before a tool is named nothing else is asked.
+    // Without a tool number the other fields are hidden.
     const asked = own.wear ? fields : fields.slice(0, 1);
     return html`<span class="wear">${asked.map(
       ([key, label]) =>

@@ -11,7 +11,7 @@ const THEME_NAMES = {
   dark: w("dark"),
 };
 
-/** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
+/** Keyboard shortcuts besides Tab, Enter and the arrow keys of a control. */
 const KEYS: [string, string][] = [
   [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
   [w("Ctrl+K"), w("find anything: cycles, fields, controls, actions")],
@@ -38,7 +38,7 @@ const KEYS: [string, string][] = [
   [w("Escape elsewhere"), w("back to the job")],
 ];
 
-/** What changes the job, or hands it out: not while something else is shown. */
+/** Actions that change or save the job: not available while something else is shown. */
 export const OF_THE_JOB = new Set([
   "undo",
   "redo",
@@ -51,7 +51,7 @@ export const OF_THE_JOB = new Set([
   "reset",
 ]);
 
-/** What can be done beside the form, for the list of everything. */
+/** Actions outside the form, for the list of commands. */
 export function actions({
   store,
   links,
@@ -93,28 +93,28 @@ export function actions({
     .map(([what, name]) => [what, name]);
 }
 
-/** What menu and dialogs show of the frame, and what it does for them. */
+/** Data and actions of the frame for the menu and the dialogs. */
 export interface Frame {
   store: Store;
-  /** Whether presets, theme and language are kept in this browser. */
+  /** Whether presets, theme and language are stored in this browser. */
   local: boolean;
-  /** Whether links are followed and handed out. */
+  /** Whether the page follows and offers links. */
   links: boolean;
   /** Whether something else than the job is shown. */
   away: boolean;
-  /** Whether a program was opened whose moves can be shown again. */
+  /** Whether the moves of an opened program can be shown again. */
   viewed: boolean;
   theme: Theme;
   /** Whether the presets are loaded. */
   presets: boolean;
-  /** Renders once more: what may be chosen is looked at whenever the menu opens. */
+  /** Renders again: the entries are updated whenever the menu opens. */
   look(): void;
   choose(what: string): void;
   chooseLanguage(lang: string): void;
   chooseTheme(theme: Theme): void;
 }
 
-/** What is rarely used. */
+/** The menu of rarely used actions. */
 export function menu(frame: Frame): TemplateResult {
   const { store, links, local, away } = frame;
   const { readonly } = store;
@@ -150,7 +150,7 @@ export function menu(frame: Frame): TemplateResult {
     </div>`;
 }
 
-/** What opens over the page: presets, the list of keys. */
+/** Dialogs over the page: presets, list of keys. */
 export function dialogs({ store, presets }: Frame): TemplateResult {
   const t = (text: string) => store.t(text);
   const close = html`<form method="dialog" class="tools"><button>${t("Close")}</button></form>`;

@@ -1,4 +1,4 @@
-// The panels of the page: their names, and the width from which they are shown side by side.
+// Panels of the page: their names, and the width from which they are side by side.
 import { w } from "../words.js";
 
 export const PANELS = {
@@ -20,10 +20,10 @@ export const NAME_OF = {
   measured: "results",
   checks: "checks",
 } as const satisfies Record<Panel, string>;
-/** What the element may leave out. */
+/** Panels that the element can omit. */
 export type PanelName = "stage" | (typeof NAME_OF)[Panel];
 
-/** From this width on the form has a column of its own; the style sheet knows the same width. */
+/** From this width on the form has its own column; the style sheet uses the same width. */
 export const WIDE = 1080;
-/** Below this width the picture is above the panel; the style sheet knows the same width. */
+/** Below this width the picture is above the panel; the style sheet uses the same width. */
 export const NARROW = 600;

@@ -2,13 +2,13 @@ import { LitElement, type PropertyValues } from "lit";
 import type { Finding, Message } from "../core/browser.js";
 import type { Store } from "../store.js";
 
-/** A part of the page: draws itself from the store whenever the store says so. Parts share the styles around them. */
+/** A part of the page that redraws itself after events of the store. Parts share the styles of the element. */
 export abstract class StorePart extends LitElement {
   store!: Store;
   /** Which of the store's events this part follows. */
   protected storeEvents: string[] = ["change", "highlight"];
 
-  /** Whether it lights up what belongs to the move that is pointed at, without being drawn again. */
+  /** Whether it highlights the current move without a new rendering. */
   protected lights = false;
 
   /** A text in the language of the page. */
@@ -36,20 +36,20 @@ export abstract class StorePart extends LitElement {
     return this;
   }
 
-  /** A part that is not seen does nothing until it is. */
+  /** A hidden part does not redraw. */
   protected override shouldUpdate(): boolean {
     this.isOutdated = this.hasUpdated && this.closest("[hidden]") !== null;
     return !this.isOutdated;
   }
 
-  /** Lights up what belongs to the move that is pointed at. */
+  /** Highlights what belongs to the current move. */
   protected light(): void {}
 
   protected override updated(_changed: PropertyValues): void {
     if (this.lights) this.light();
   }
 
-  /** The part is seen again. */
+  /** The part has become visible. */
   catchUp(): void {
     if (this.isOutdated) this.requestUpdate();
   }
@@ -59,7 +59,7 @@ export abstract class StorePart extends LitElement {
     for (const name of [...this.storeEvents, "language"])
       this.store.addEventListener(name, this.redraw);
     if (this.lights) this.store.addEventListener("highlight", this.relight);
-    // While it was out of the page, nothing told it of changes.
+    // Outside of the page it receives no events.
     if (this.hasUpdated) this.requestUpdate();
   }
 

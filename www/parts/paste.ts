@@ -1,17 +1,17 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { StorePart } from "./part.js";
 
-/** A text that is pasted in: it stays where it is until it could be read, and what is wrong with it is said beside it. */
+/** Dialog for pasted text. The text stays until it could be read; errors appear beside it. */
 class PastePart extends StorePart {
   protected override storeEvents: string[] = [];
-  /** Takes a text up; false where nothing could be made of it. */
+  /** Reads a text; returns false if nothing can be made of it. */
   declare take: (text: string) => Promise<boolean>;
-  /** Gives up what is being read. */
+  /** Aborts the reading. */
   declare stop: () => void;
-  /** What the page says of what was read. */
+  /** Message about the text that was read. */
   declare said: string;
   private shown = false;
-  /** Whether nothing could be made of the text. */
+  /** Whether the text could not be read. */
   private failed = false;
 
   static override properties = {
@@ -32,7 +32,7 @@ class PastePart extends StorePart {
     }</dialog>`;
   }
 
-  /** Opens it, with an empty field that has the focus. */
+  /** Opens the dialog with an empty, focused field. */
   async open(): Promise<void> {
     this.shown = true;
     this.requestUpdate();

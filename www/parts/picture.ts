@@ -14,40 +14,40 @@ import { kind } from "./legend.js";
 import { PlanRun } from "./plan-run.js";
 import { Timeline } from "./timeline.js";
 
-/** A place on the canvas, pixels of the page. */
+/** A position on the canvas, CSS pixels. */
 type Spot = { x: number; y: number };
-/** A dimension's line: the path of its field, and the pixels of its ends. */
+/** A dimension line: path of its field, and its ends in pixels. */
 type Line = [string, number, number, number, number];
-/** How many times as large as they are deviations can be drawn. */
+/** Magnifications of deviations. */
 const MAGNIFIED = [1, 10, 100] as const;
 
-/** An end of the line of a field's dimension. */
+/** An end of a dimension line, with its field. */
 interface End {
   field: string;
   index: 0 | 1;
 }
 
-/** How near a handle and the end of a dimension's line are gripped, pixels: by a finger they are targets of 44. */
+/** Grip distance of handles and ends, pixels. For a finger they are targets of 44 pixels. */
 const REACH = { handle: 14, end: 12, finger: 22 } as const;
 
-/** A turn that is drawn larger stays below this, degrees: more would look like another part. */
+/** Upper bound of a magnified rotation, degrees: a larger one would look like another part. */
 const MOST_TURNED = 20;
 
-/** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
+/** The picture with its tools: views, zoom, editable dimensions and the timeline. */
 class PicturePart extends DrawnPart {
   protected override storeEvents = ["change", "focus"];
   protected override lights = true;
-  /** The form in the picture, by its revision and language; a hover draws it again but does not plan it again. */
+  /** Form in the picture, as revision and language. A highlight redraws the picture but does not plan it again. */
   private drawn = "";
-  /** Whether the picture shows the present form although it has an error: it shows where the run ends. */
+  /** Whether the picture shows a form with an error: a run that ends in a collision. */
   private live = false;
   private pointers = new Map<number, Spot>();
-  /** The handle that is dragged, and how far beside its middle it was gripped. */
+  /** The dragged handle, and the grip position relative to its middle. */
   private grip: { handle: string; x: number; y: number } | null = null;
-  /** The end of a dimension that is dragged, and where the pointer gripped it. */
+  /** The dragged end of a dimension, and the grip position. */
   private end: (End & { at: Spot }) | null = null;
   private dragged = false;
-  /** The frame until which a drag has made its plan, and where the pointer has been moved to since. */
+  /** End of the frame in which a drag was planned last, and the pointer position since then. */
   private planned = 0;
   private pulled: Spot | null = null;
   private readonly timeline = new Timeline(
@@ -59,19 +59,19 @@ class PicturePart extends DrawnPart {
     () => this.requestUpdate(),
   );
   private magnified: (typeof MAGNIFIED)[number] = 1;
-  /** Whether the picture is to be fitted: deviations are drawn larger, or smaller, than before. */
+  /** Whether the picture must be fitted after a change of the magnification. */
   private refit = false;
 
   /**
-   * The field whose dimension is lit: that which is dragged, though the picture has the focus then. The last good plan has other dimensions than
-   * a form with errors: of it none is lit.
+   * The field whose dimension is highlighted: the dragged one, else the focused one. None while the form has errors, because the last valid plan has other
+   * dimensions.
    */
   private get lit(): string | undefined {
     if (this.store.stale && !this.live) return undefined;
     return this.end?.field ?? this.store.focused ?? undefined;
   }
 
-  /** Whether there are handles: those of the virtual part come with its group, and while it lies other than the drawing says; with them those of angles. */
+  /** Whether handles are shown: those of the virtual part while its group is open or the part is displaced. Angle handles appear with them. */
   private get grips(): boolean {
     const { store } = this;
     const asked = /^part\.|Angle$|Length$/.test(store.focused ?? "");
@@ -83,7 +83,7 @@ class PicturePart extends DrawnPart {
     );
   }
 
-  /** Where it is looked at from. */
+  /** The view of the picture. */
   get from(): (typeof VIEWS)[number] {
     return this.look;
   }
@@ -92,10 +92,10 @@ class PicturePart extends DrawnPart {
     if (view !== this.look) this.turn(view);
   }
 
-  /** The picture as a file of its own, in the language of the page. */
+  /** The picture as an SVG file in the language of the page. */
   svg(title: string): string | undefined {
     return this.drawing?.use((view) => {
-      // It may have been turned and not drawn yet.
+      // The view may have changed without a redraw.
       view.look(this.look);
       return view.svg(title);
     });
@@ -124,7 +124,7 @@ class PicturePart extends DrawnPart {
     `;
   }
 
-  /** The kinds of lines that are in the picture. */
+  /** Kinds of lines in the picture. */
   private kinds(): TemplateResult[] {
     const { store } = this;
     const { moves } = store.plan;
@@ -182,7 +182,7 @@ class PicturePart extends DrawnPart {
       );
       this.observer.observe(canvas);
     }
-    // A nominal part has nothing to draw larger, and its handle is there again.
+    // A nominal part has nothing to magnify, and its handle returns.
     if (
       !this.grip &&
       (deviations(this.store).length === 0 ||
@@ -196,11 +196,11 @@ class PicturePart extends DrawnPart {
     const before = this.live;
     if (anew) this.timeline.pause();
     this.drawing?.use((view) => {
-      // Before the fit: what is drawn larger takes more room.
+      // Before fitting: magnified deviations take more room.
       view.magnify(this.magnified);
       if (anew) {
         label(view, this.store);
-        // A job that ends in a collision, or that the control cannot do, has a path to show, though it has no program.
+        // A job that collides, or that the control does not support, has a path but no program.
         view.setHand(features.inJob);
         this.live = stale && view.show(job);
         if (!this.live) view.show(shown);
@@ -219,10 +219,10 @@ class PicturePart extends DrawnPart {
     if (focused !== this.turnedFor) this.face(focused);
   }
 
-  /** The field that the picture was last turned for: a view that the user chooses after it stays. */
+  /** The field for which the view was changed last; a later choice of the user stays. */
   private turnedFor: string | null = null;
 
-  /** Turns to where the dimension of a field is seen. */
+  /** Switches to a view in which the dimension of a field is visible. */
   private face(path: string | null): void {
     this.turnedFor = path;
     const look =
@@ -233,7 +233,7 @@ class PicturePart extends DrawnPart {
       this.turn(look as (typeof VIEWS)[number]);
   }
 
-  /** What lies other than the drawing says is seen without opening anything. */
+  /** Shows the displacement without opening its group. */
   private deviates(): TemplateResult | typeof nothing {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
@@ -246,7 +246,7 @@ class PicturePart extends DrawnPart {
       ${nominal(this.store)}</p>`;
   }
 
-  /** The move that is pointed at: in the picture, on the timeline and in words. */
+  /** Highlights the current move in the picture, on the timeline and in words. */
   protected override light(): void {
     const { highlight, stale } = this.store;
     if (!this.timeline.plays)
@@ -258,7 +258,7 @@ class PicturePart extends DrawnPart {
     this.timeline.light();
   }
 
-  /** How many times as large deviations can be drawn here. */
+  /** Magnifications that make sense for this part. */
   private get offered(): readonly (typeof MAGNIFIED)[number][] {
     const turn = Math.abs(Number(this.store.get("part.rotation") ?? 0));
     const offset =
@@ -266,7 +266,7 @@ class PicturePart extends DrawnPart {
         Math.abs(Number(x)),
       ) ?? [];
     const { touches } = this.store.plan;
-    // How far apart the touches lie, along the axis where that is most.
+    // Span of the touches along the axis where it is largest.
     const spans = [0, 1, 2].map((i) => {
       const along = touches.map(({ point }) => point[i] as number);
       return Math.max(...along) - Math.min(...along);
@@ -331,14 +331,14 @@ class PicturePart extends DrawnPart {
       this.frame().style.cssText = `flex: none; height: ${this.frame().getBoundingClientRect().height}px`;
   }
 
-  /** Whether a finger points, not a mouse. */
+  /** Whether the pointer is a finger. */
   private finger = false;
 
   private handleAt(view: PageView, at: Spot): string | undefined {
     return view.handleAt(at.x, at.y, this.finger ? REACH.finger : REACH.handle);
   }
 
-  /** The handle is let go. */
+  /** Releases the handle. */
   private release(): void {
     if (!this.grip && !this.end) return;
     this.caughtUp();
@@ -352,7 +352,7 @@ class PicturePart extends DrawnPart {
     });
   }
 
-  /** What a handle changes. */
+  /** Effect of a handle, in words. */
   private handleInWords(view: PageView, handle: string | undefined): string {
     const part = { shift: "part.offset", turn: "part.rotation" }[handle ?? ""];
     const label =
@@ -397,7 +397,7 @@ class PicturePart extends DrawnPart {
         });
       }
     } else if (this.end) {
-      // Measured from where it was gripped: a slow drag is one, too.
+      // Measured from the grip position, so that a slow drag counts too.
       this.dragged ||=
         Math.hypot(at.x - this.end.at.x, at.y - this.end.at.y) > 2;
       if (this.dragged) this.pull(at);
@@ -411,7 +411,7 @@ class PicturePart extends DrawnPart {
     this.pointers.set(event.pointerId, at);
   }
 
-  /** What is gripped follows the pointer. Each step makes a plan, so there is one a frame at most, whatever the browser sends; the last one counts. */
+  /** Moves the gripped handle to the pointer. Each step makes a plan, so there is at most one per frame, with the last position. */
   private pull(at: Spot): void {
     if (this.planned) {
       this.pulled = at;
@@ -426,7 +426,7 @@ class PicturePart extends DrawnPart {
       });
   }
 
-  /** What is gripped is where the pointer is. */
+  /** The drag has reached the pointer. */
   private caughtUp(): void {
     cancelAnimationFrame(this.planned);
     this.planned = 0;
@@ -435,7 +435,7 @@ class PicturePart extends DrawnPart {
     if (at) this.pull(at);
   }
 
-  /** The end of a dimension's line at a pixel: its field, and which end it is. */
+  /** The end of a dimension line at a pixel. */
   private endAt(view: PageView, at: Spot): End | null {
     if (this.look === "isometric" || (this.store.stale && !this.live))
       return null;
@@ -453,10 +453,10 @@ class PicturePart extends DrawnPart {
     return near.sort((a, b) => a.far - b.far)[0] ?? null;
   }
 
-  /** The end that was under the pointer last, and whether a drag would move it: of some dimensions only one end moves. */
+  /** The end under the pointer last, and whether it can be dragged: some dimensions have only one movable end. */
   private tried = { end: "", moves: false };
 
-  /** Whether an end that can be dragged is at a pixel; tried once for each end of a form. */
+  /** Whether a movable end is at a pixel; tried once per end of a form. */
   private grippable(view: PageView, at: Spot): boolean {
     const under = this.endAt(view, at);
     if (!under) return false;
@@ -466,7 +466,7 @@ class PicturePart extends DrawnPart {
     return this.tried.moves;
   }
 
-  /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
+  /** Grips the end of a dimension line; null if there is none, or if no number of the form moves it. */
   private gripped(view: PageView, at: Spot): (End & { at: Spot }) | null {
     const end = this.endAt(view, at);
     return end && view.gripEnd(this.store.job, end.field, end.index, at.x, at.y)
@@ -474,13 +474,13 @@ class PicturePart extends DrawnPart {
       : null;
   }
 
-  /** The end of a dimension is dragged: it stays under the pointer. */
+  /** Drags the end of a dimension to the pointer. */
   private stretch(field: string, at: Spot): void {
     const value = this.drawing?.use((view) => view.dragEnd(at.x, at.y));
     if (value !== undefined) this.store.set(field, value);
   }
 
-  /** A handle is dragged: the form follows. */
+  /** Drags a handle and updates the form. */
   private drag(handle: string, at: Spot): void {
     const { store } = this;
     const field = this.drawing?.use((view) => view.handleField(handle));
@@ -526,16 +526,16 @@ class PicturePart extends DrawnPart {
     this.release();
   }
 
-  /** The browser has taken the gesture over: nothing was tapped. */
+  /** The browser has taken over the gesture, so this is no tap. */
   private cancel(event: PointerEvent): void {
     this.pointers.delete(event.pointerId);
     this.release();
   }
 
-  /** The field of the dimension that is tapped. */
+  /** Field of the tapped dimension. */
   private tapped: string | null = null;
 
-  /** To the field of a dimension: only now, since the browser moves the focus to the canvas, after a touch as the last. */
+  /** Goes to the field of a dimension. Only on click: after a touch the browser moves the focus to the canvas last. */
   private clicked(): void {
     const field = this.tapped;
     this.tapped = null;

@@ -13,21 +13,21 @@ import { w } from "../words.js";
 import { download } from "./download.js";
 import { StorePart } from "./part.js";
 
-/** The parts of a preset that can be taken alone, with their sections. */
+/** Parts of a preset that can be applied separately, with their sections. */
 const PARTS: Record<string, [string, string[]]> = {
   stylus: [w("Stylus and overtravel"), ["stylus", "overtravel"]],
   feeds: [w("Feeds"), ["feeds"]],
   control: [w("Control and tool"), ["control", "tool"]],
 };
 
-/** Named presets of stylus, feeds and control: kept, used, taken along as a file. */
+/** Named presets of stylus, feeds and control: stored, applied, saved as a file. */
 class PresetsPart extends StorePart {
   protected override storeEvents: string[] = [];
   private list: Preset[] = presets() ?? [];
   private told = "";
-  /** The list before what was done last, where that can be taken back. */
+  /** The list before the last change, if it can be undone. */
   private earlier: Preset[] | null = null;
-  /** What of a preset is taken. */
+  /** Parts of a preset to apply. */
   private readonly parts = new Set(Object.keys(PARTS));
 
   override render(): TemplateResult {
@@ -85,10 +85,10 @@ class PresetsPart extends StorePart {
     this.requestUpdate();
   }
 
-  /** The list as it was before what was done last. */
+  /** Undoes the last change of the list. */
   private readonly takeBack = (): void => {
     const { earlier } = this;
-    // What another tab has kept since stays.
+    // Presets that another tab has added since stay.
     if (earlier && this.put((list) => earlier.reduce(added, list)))
       this.tell("");
   };
@@ -122,7 +122,7 @@ class PresetsPart extends StorePart {
       this.tell(this.t("Forgot “{name}”", preset.name));
   }
 
-  /** Those of a file come beside those that are here; of the same name, that of the file counts. */
+  /** Adds the presets of a file; those with the same name replace stored ones. */
   private readonly open = async (event: Event): Promise<void> => {
     const input = event.target as HTMLInputElement;
     const file = input.files?.[0];
@@ -141,7 +141,7 @@ class PresetsPart extends StorePart {
       this.tell(this.t("{count} machines were read", found.length));
   };
 
-  /** Changes the list as it is kept now: another tab may have changed it. `loses`: what was there goes, and can be taken back. */
+  /** Changes the stored list, which another tab may have changed. `loses`: entries disappear, and the change can be undone. */
   private put(change: (list: Preset[]) => Preset[], loses = false): boolean {
     const old = presets() ?? this.list;
     const list = change(old);

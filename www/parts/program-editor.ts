@@ -1,4 +1,4 @@
-// The editor of an opened program: CodeMirror, which puts only the lines that are seen into the document, of however many. Nothing is edited.
+// Viewer of long programs: CodeMirror, read-only, which keeps only the visible lines in the document.
 import {
   EditorState,
   type Range,
@@ -16,7 +16,7 @@ import { words } from "./colours.js";
 import { letterOf } from "./keys.js";
 import { attributesOf, MARGIN, type Shown } from "./shown.js";
 
-/** What the lines have beside their text. */
+/** Decorations of lines. */
 type Look = Pick<Shown, "kind" | "notes" | "marks" | "lit" | "found">;
 
 const change = StateEffect.define<Look>();
@@ -36,7 +36,7 @@ const look = StateField.define<Look>({
     ),
 });
 
-/** Numbers, kinds and words of the lines that are seen. */
+/** Numbers, kinds and words of the visible lines. */
 function decorated({ state, visibleRanges }: EditorView): DecorationSet {
   const { kind, notes, marks, lit, found } = state.field(look);
   const all: Range<Decoration>[] = [];
@@ -61,7 +61,7 @@ function decorated({ state, visibleRanges }: EditorView): DecorationSet {
         ...attributesOf(marks.get(line)),
         ...title,
       };
-      // A long line may be seen in parts, with gaps between them: it is decorated once.
+      // A long line may be visible in several parts; it is decorated once.
       if (line !== last)
         all.push(
           Decoration.line({
@@ -70,7 +70,7 @@ function decorated({ state, visibleRanges }: EditorView): DecorationSet {
           }).range(from),
         );
       last = line;
-      // A line may be as long as the text: only what is seen of it is looked at.
+      // A line may be as long as the text: only its visible part is searched.
       const start = Math.max(from, seen.from);
       const text =
         is === "touch" ? "" : state.sliceDoc(start, Math.min(to, seen.to));
@@ -140,7 +140,7 @@ export class Editor {
       look,
       decorations,
       EditorState.readOnly.of(true),
-      // Nothing opens a keyboard on a phone; what is selected can be copied.
+      // Not editable, so no keyboard opens on a phone; selected text can be copied.
       EditorView.editable.of(false),
       EditorView.lineWrapping,
       EditorView.contentAttributes.of(() => ({
@@ -173,7 +173,7 @@ export class Editor {
     this.view.destroy();
   }
 
-  /** Scrolls until this line is the first that is seen. */
+  /** Scrolls until this line is the first visible one. */
   begin(line: number): void {
     const { doc } = this.view.state;
     const { from } = doc.line(Math.min(line, doc.lines - 1) + 1);

@@ -1,12 +1,12 @@
-// The text of an opened program, line by line. A long one has an editor, which puts only what is seen into the document; it is plain text until
-// that is loaded.
+// The text of an opened program, line by line. A long text has an editor, which keeps only the visible lines in the document; until it is loaded the text is
+// plain.
 import { LineList } from "./line-list.js";
 import type { Editor } from "./program-editor.js";
 import { type Found, isShort, MARGIN, type Shown } from "./shown.js";
 
 const NONE: Found = { matches: new Set(), here: -1 };
 
-/** The text in its box. What changes within a frame is shown at once, in that frame. */
+/** The text in its box. Changes within a frame appear together in that frame. */
 export class ProgramList {
   private editor?: Editor | LineList;
   /** Plain text until the editor is loaded. */
@@ -23,7 +23,7 @@ export class ProgramList {
   private frame = 0;
   private freed = false;
 
-  /** `point` gets the line under the pointer; null is none. */
+  /** `point` receives the line under the pointer; null without one. */
   constructor(
     private readonly box: HTMLElement,
     private readonly name: () => string,
@@ -36,7 +36,7 @@ export class ProgramList {
     box.replaceChildren(this.plain);
   }
 
-  /** Another text, with what is said of its lines. Nothing of it is lit or found yet. */
+  /** Shows another text with notes about its lines, without highlights and matches. */
   show(program: Pick<Shown, "text" | "kind" | "notes" | "marks">): void {
     Object.assign(this.shown, program, {
       found: NONE,
@@ -60,19 +60,19 @@ export class ProgramList {
     this.later();
   }
 
-  /** Whether its editor is there: until then the browser finds words in the whole text. */
+  /** Whether the editor is loaded; until then the browser searches the whole text. */
   get edits(): boolean {
     return this.editor !== undefined;
   }
 
-  /** Names it in the language that is the page's now. */
+  /** Labels it in the current language of the page. */
   label(): void {
     if (this.plain.ariaLabel === this.name()) return;
     this.plain.ariaLabel = this.name();
     this.later();
   }
 
-  /** Lights a line, or none; `reveal` brings it into sight. */
+  /** Highlights a line, or none; `reveal` scrolls to it. */
   light(line: number, reveal: boolean): void {
     if (line === this.shown.lit) return;
     this.shown.lit = line;
@@ -80,7 +80,7 @@ export class ProgramList {
     this.later();
   }
 
-  /** Marks what was found, and brings the line that is shown into sight. */
+  /** Marks the matches and scrolls to the current one. */
   mark(found: Found): void {
     this.shown.found = found;
     this.shown.sight = found.here;
@@ -105,7 +105,7 @@ export class ProgramList {
     this.shown.sight = -1;
   }
 
-  /** Brings a line of the plain text into sight, where it is not. */
+  /** Scrolls to a line of the plain text if it is not visible. */
   private reveal(line: number): void {
     if (line < 0) return;
     const [{ top, bottom }, box] = [
@@ -116,7 +116,7 @@ export class ProgramList {
       this.plain.scrollTop += top - box.top - MARGIN;
   }
 
-  /** The first line of the plain text that is seen from its beginning. */
+  /** First fully visible line of the plain text. */
   private first(): number {
     const starts = this.starts();
     const { top } = this.plain.getBoundingClientRect();
@@ -129,7 +129,7 @@ export class ProgramList {
     return least;
   }
 
-  /** Where the lines of the text begin. */
+  /** Offsets of the lines in the text. */
   private starts(): number[] {
     const starts = [0];
     const { text } = this.shown;
@@ -138,7 +138,7 @@ export class ProgramList {
     return starts;
   }
 
-  /** Where a character of the plain text is on the screen. */
+  /** Position of a character of the plain text on the screen. */
   private placeOf(at: number): DOMRect {
     const range = document.createRange();
     const text = this.plain.firstChild as Text | null;
@@ -149,7 +149,7 @@ export class ProgramList {
     return range.getBoundingClientRect();
   }
 
-  /** Where the editor cannot be loaded, the text stays as it is. */
+  /** If the editor cannot be loaded, the text stays plain. */
   private async load(): Promise<void> {
     const { Editor } = await import("./program-editor.js").catch(() => ({
       Editor: null,
@@ -168,7 +168,7 @@ export class ProgramList {
     this.plain.remove();
     this.editor = new Editor(this.box, this.name, this.point);
     this.draw();
-    // What was seen before is seen still.
+    // The visible part stays the same.
     if (first >= 0) this.editor.begin(first);
     if (focused) this.editor.focus();
   }

@@ -14,7 +14,7 @@ import { copied, copy, withheld } from "./download.js";
 import { Finder } from "./finder.js";
 import { StorePart } from "./part.js";
 
-/** The forms of a program, as the field of the form has them. */
+/** Labels of the program forms, as in the form. */
 const FORMS: Record<Form, string> = {
   moves: w("Plain moves"),
   cycle: w("The control's own cycle"),
@@ -28,14 +28,14 @@ interface Line {
 
 /** A run of lines under one heading. */
 interface Block {
-  /** The documented step; 0 is none. */
+  /** Documented step; 0 without one. */
   step: number;
   /** Index of its cycle in the plan. */
   cycle: number;
   lines: Line[];
 }
 
-/** What a folded run of lines is, by its lines: the first that fits one of them counts. */
+/** Names of folded runs by their lines; the first match counts. */
 const RUNS: [RegExp, string, string][] = [
   [
     /^(?:N\d+ ?)+$|^TP_\w+:$|^#3000=/,
@@ -50,27 +50,27 @@ const RUNS: [RegExp, string, string][] = [
   [/=/, w("1 line of arithmetic"), w("{count} lines of arithmetic")],
 ];
 
-/** A line that a setter looks for although it makes no move: what is written, shown, called or ended. */
+/** Lines without a move that a setter looks for: writes, messages, calls, ends. */
 const SEEN =
   /^(?:G10 |\$P_UIFR\[\d+,\w,TR\]=\$P|#(?:52[2-9]\d|53[0-3]\d|7\d{3}|14\d{3})=#|\(DEBUG,|\(PRINT,|\(LOG,|MSG\("[a-z]|DPRNT|POPEN|M(?:0|00|1|2|30|72)$|G65 |CALL O|CYCLE\d|\d+ | +Q|%|\(READ THE)/;
 
-/** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
+/** A line number padded to the same width. Plain text, because a box per number would be laid out at every keystroke. */
 const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
 
-/** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. The checks of the program before the move come after it. */
+/** A line that announces the next move, from 1: for SINUMERIK, and for Fanuc and Haas. The program's checks before the move follow it. */
 const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
 
-/** A line that is a comment, or begins a Klartext program. */
+/** A comment line, or the start of a Klartext program. */
 const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 
 /** How long the note about a saved or copied program is shown, ms: it has the place of the search count. */
 const TOLD = 8000;
 
-/** The block of a native cycle, which makes its moves: not a protected move, the probe's switch, what lies between features, or 1493. */
+/** A block that calls a native cycle with moves; not a protected move, a probe switch, a link between features, or 1493. */
 const CALL =
   /^(?:G65 P|CALL O)(?!\d\d(?:10|3[2-5])\b)|^CYCLE\d+\(|^\d+ TCH PROBE (?!1493)/;
 
-/** The touches that moves make, counted from 1, where a touch is made for the first time. */
+/** Numbers of the touches that moves make, from 1, for the first touch of each point. */
 function touchNumbers(store: Store): Map<number, number> {
   const seen = new Set<number>();
   const numbers = new Map<number, number>();
@@ -82,7 +82,7 @@ function touchNumbers(store: Store): Map<number, number> {
   return numbers;
 }
 
-/** What a program shows when it has measured, with the values that the virtual part gives: DEBUG of LinuxCNC, MSG of SINUMERIK. */
+/** Messages of the program after measuring, with the values of the virtual part: DEBUG of LinuxCNC, MSG of SINUMERIK. */
 function screenText(store: Store): string[] {
   const { program, results } = store.plan;
   const named = (row: Plan["results"][number]) =>
@@ -99,7 +99,7 @@ function screenText(store: Store): string[] {
     );
   return program.text.split("\n").flatMap((line) => {
     const debug = /^\(DEBUG,(.*)\)$/.exec(line)?.[1];
-    // A value that DEBUG shows has six decimals.
+    // DEBUG shows values with six decimals.
     if (debug !== undefined) return [put(debug, 6)];
     const message = /^MSG\("(.*?)"?\)$/.exec(line)?.[1];
     return message !== undefined && /="<<R\d+/.test(message)
@@ -108,22 +108,22 @@ function screenText(store: Store): string[] {
   });
 }
 
-/** The program, line by line under the documented steps; a line that makes a move lights up with it. */
+/** The program by lines under the documented steps. The line of the current move is highlighted. */
 class ProgramPart extends StorePart {
   protected override storeEvents = ["change"];
   protected override lights = true;
   private told = "";
-  /** The program that was saved or copied: what is said of it holds for no other. */
+  /** The program that was saved or copied; its message holds for no other. */
   private toldOf = "";
   private unfolded = false;
-  /** What the program is compared with: nothing, the one that was saved last, that for another control. */
+  /** Comparison: none, with the program saved last, or with that for another control. */
   private against = "";
-  /** Compares programs; loaded when it is wanted. */
+  /** The module that compares programs, loaded on demand. */
   private compares: typeof import("./compare.js") | null = null;
-  /** Whether both programs are looked at side by side. */
+  /** Whether both programs are side by side. */
   private wide = false;
   private readonly colours = new Colours();
-  /** The program whose words have their colours, and whether its header is unfolded. */
+  /** The program with syntax colours, and whether its header is unfolded. */
   private coloured = "";
   private readonly finder = new Finder(
     () => this.store,
@@ -138,13 +138,13 @@ class ProgramPart extends StorePart {
     const lines =
       program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
-    // Of each call the last move that it makes.
+    // The last move of each call.
     const callAt = new Map(this.lines.map((line, move) => [line, move]));
     const { head } = this;
-    // Blocks that begin with their own numbers need no second ones.
+    // Blocks with their own numbers need no line numbers.
     const own =
       lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
-    // Calls of native cycles are no documented steps.
+    // Calls of native cycles are not divided into documented steps.
     const stepsOf = (cycle: number) =>
       program.own ? [] : this.store.stepsOf(cycle);
     const numbers = touchNumbers(this.store);
@@ -159,7 +159,7 @@ class ProgramPart extends StorePart {
       const touch = move === undefined ? undefined : numbers.get(move);
       return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="line-number">${numberOf(line)}</span>`}<span class="text">${text}</span>${touch === undefined ? nothing : html`<span class="disc" role="img" aria-label=${this.t("touch {touch}", touch)}>${touch}</span>`}</div>`;
     };
-    /** Lines that make no move and are rarely looked for, under one mark. */
+    /** Folds lines without a move that are rarely needed. */
     const rows = (lines: Line[]) => {
       const plain = ({ text, line }: Line) =>
         !moveAt.has(line) && !SEEN.test(text);
@@ -237,7 +237,7 @@ class ProgramPart extends StorePart {
     return html`<details class="screen"><summary>${this.t("On the operator's screen at the end")}</summary><pre lang="en" translate="no">${lines.join("\n")}</pre></details>`;
   }
 
-  /** What a folded run of lines is. */
+  /** Name of a folded run of lines. */
   private runInWords(run: Line[]): string {
     const [, one, many] = RUNS.find(([is]) =>
       run.some(({ text }) => is.test(text)),
@@ -245,7 +245,7 @@ class ProgramPart extends StorePart {
     return run.length === 1 ? this.t(one) : this.t(many, run.length);
   }
 
-  /** A click opens a run of lines, or pins the move of a line. */
+  /** A click opens a folded run, or selects the move of a line. */
   private readonly clicked = (event: MouseEvent): void => {
     const run = (event.target as Element).closest<HTMLElement>("[data-run]")
       ?.dataset.run;
@@ -253,13 +253,13 @@ class ProgramPart extends StorePart {
     else this.onLine(event, (move) => this.store.pin(move));
   };
 
-  /** Shows a run of lines. */
+  /** Opens a folded run. */
   private open(line: number): void {
     this.opened.add(line);
     this.requestUpdate();
   }
 
-  /** Shows every line, or only those that are looked for. */
+  /** Shows every line, or only the important ones. */
   readonly unfold = (): void => {
     this.everything = !this.everything;
     this.opened.clear();
@@ -268,10 +268,10 @@ class ProgramPart extends StorePart {
 
   /** Whether every line is shown. */
   private everything = false;
-  /** The runs of lines that were opened, by their first lines. */
+  /** Opened runs, by their first lines. */
   private readonly opened = new Set<number>();
 
-  /** Number of lines before the first move, or before the first block of a program whose moves the control makes: they are folded. */
+  /** Number of header lines, which are folded: those before the first move, or before the first block of a program of native cycles. */
   private get head(): number {
     const { moveLines, text } = this.store.plan.program;
     const made = moveLines.find((line) => line >= 0);
@@ -281,11 +281,11 @@ class ProgramPart extends StorePart {
     return first > 3 ? first : 0;
   }
 
-  /** The plan whose lines are known. */
+  /** The plan of the line table. */
   private lined: Plan | null = null;
   private known: number[] = [];
 
-  /** The line of each move: where a native cycle makes it, that of the call. */
+  /** Line of each move; for the move of a native cycle, the line of its call. */
   private get lines(): readonly number[] {
     const { plan } = this.store;
     if (this.lined === plan) return this.known;
@@ -297,7 +297,7 @@ class ProgramPart extends StorePart {
     this.known = plan.moves.map(({ cycle, step }, move) => {
       const line = moveLines[move] ?? -1;
       if (line >= 0) return line;
-      // A step of such a program is a call. What leads to the first touch is made by the call that follows.
+      // A step of such a program is a call. The next call makes the moves to its first touch.
       const leads = !own || step < 2;
       if (!leads && made !== `${cycle} ${step}`)
         [call, made] = [call + 1, `${cycle} ${step}`];
@@ -307,7 +307,7 @@ class ProgramPart extends StorePart {
     return this.known;
   }
 
-  /** Whether differences are shown in place of the program. */
+  /** Whether differences are shown instead of the program. */
   private get comparing(): boolean {
     return this.against !== "" && this.compares !== null;
   }
@@ -315,7 +315,7 @@ class ProgramPart extends StorePart {
   /** The document whose lines are shown. */
   private document = -1;
 
-  /** A comparison ends where its control has no other form for the job's cycle. */
+  /** Ends a comparison if the control has no other form for the job's cycle. */
   protected override willUpdate(): void {
     this.finder.again();
     const form = this.against === "form" && this.otherForm !== undefined;
@@ -349,7 +349,7 @@ class ProgramPart extends StorePart {
     this.requestUpdate();
   };
 
-  /** The program that this one is compared with, or why there is none. */
+  /** The program to compare with, or the reason why there is none. */
   private other(): { text: string } | { why: string } {
     const { store } = this;
     if (this.against === "saved")
@@ -368,7 +368,7 @@ class ProgramPart extends StorePart {
       : { why: error ? this.message(error) : "" };
   }
 
-  /** Every line of both programs; a sign as well as a colour says in which one it is. */
+  /** Every line of both programs. A sign and a colour show the origin of a line. */
   private differences(): TemplateResult {
     const other = this.other();
     if ("why" in other || !this.compares)
@@ -388,7 +388,7 @@ class ProgramPart extends StorePart {
       )}</div>`;
   }
 
-  /** In which of both programs a line is: a sign with its meaning. */
+  /** Origin of a line: a sign with its meaning. */
   private sign(sign: Compared["sign"]): TemplateResult | string {
     if (sign === " ") return sign;
     const says =
@@ -422,7 +422,7 @@ class ProgramPart extends StorePart {
     super.updated(changed);
     if (!this.wide)
       this.querySelector<HTMLDialogElement>("dialog.beside")?.close();
-    // A choice of the user stays in the list, whatever its options say.
+    // The user's choice stays in the list, even if the options change.
     const list = this.querySelector<HTMLSelectElement>("select.compares");
     if (list) list.value = this.against;
     this.mark();
@@ -437,7 +437,7 @@ class ProgramPart extends StorePart {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    // Moved to another place of the page, it has lost its colours.
+    // After a move to another position of the page the colours are lost.
     this.requestUpdate();
   }
 
@@ -448,7 +448,7 @@ class ProgramPart extends StorePart {
     this.colours.leave();
   }
 
-  /** The line and the step of the move that is pointed at; the one before is no longer lit. The lines are not rendered again for it. */
+  /** Highlights line and step of the current move without rendering the lines again. */
   protected override light(): void {
     const { highlight, plan } = this.store;
     const line = highlight === null ? -1 : (this.lines[highlight] ?? -1);
@@ -462,7 +462,7 @@ class ProgramPart extends StorePart {
     const lit = this.lineAt(line) as HTMLElement | null;
     lit?.setAttribute("aria-selected", "true");
     const list = this.querySelector(".code[role=listbox]");
-    // A screen reader says the line that is lit.
+    // Screen readers announce the highlighted line.
     if (lit) {
       lit.id = "lit-line";
       list?.setAttribute("aria-activedescendant", lit.id);
@@ -492,7 +492,7 @@ class ProgramPart extends StorePart {
     this.finder.give(lines);
   }
 
-  /** Marks the lines that hold what is looked for. */
+  /** Marks the lines that match the search. */
   private mark(): void {
     const { matches, here } = this.finder.found;
     for (const old of this.querySelectorAll(".line.match"))
@@ -501,18 +501,18 @@ class ProgramPart extends StorePart {
     this.lineAt(here)?.classList.add("here");
   }
 
-  /** Brings the line that was found into sight, out of the folded header, too. */
+  /** Scrolls to the current match, also inside the folded header. */
   private async toFound(): Promise<void> {
     const { here } = this.finder.found;
     if (here >= 0 && here < this.head) this.unfolded = true;
-    // What is found in a folded run is shown.
+    // Opens a folded run with a match.
     if (here >= this.head && !this.lineAt(here)) this.everything = true;
     this.requestUpdate();
     await this.updateComplete;
     this.lineAt(here)?.scrollIntoView({ block: "nearest" });
   }
 
-  /** What is done with the move of the line under the pointer; a line without a move has none, and beside the lines nothing is done. */
+  /** Calls `act` with the move of the line under the pointer; null for a line without a move. Does nothing beside the lines. */
   private onLine(event: MouseEvent, act: (move: number | null) => void): void {
     const line = (event.target as Element).closest<HTMLElement>("[data-line]")
       ?.dataset.line;
@@ -543,7 +543,7 @@ class ProgramPart extends StorePart {
       this.tell(this.t(copied(await copy(this.store.plan.program.text))));
   }
 
-  /** Says something of this very program. */
+  /** Shows a message about this program only. */
   tell(text: string): void {
     this.told = text;
     this.toldOf = this.store.plan.program.text;

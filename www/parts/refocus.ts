@@ -1,11 +1,11 @@
 import type { LitElement, ReactiveController } from "lit";
 
-/** What may take the focus away with it: a click, and Escape. */
+/** Events that may remove the focused element: a click, and Escape. */
 const EVENTS = ["click", "keydown", "pointerdown"] as const;
-/** After as many milliseconds it is looked whether the focus was lost: some of what goes is removed only when the page is drawn, or a part of it is loaded. */
+/** Delays in milliseconds after which a lost focus is restored: some elements are only removed when the page is drawn or a part is loaded. */
 const RESTORE_DELAYS = [40, 360];
 
-/** Where the button or field that had the focus is removed, the focus moves to one near it, not to the start of the page. */
+/** If the focused button or field is removed, moves the focus to one near it, not to the start of the page. */
 export class Refocus implements ReactiveController {
   private timer = 0;
 
@@ -14,7 +14,7 @@ export class Refocus implements ReactiveController {
   }
 
   hostConnected(): void {
-    // Before what is clicked does anything: it may be gone afterwards.
+    // Runs before the handler of a click, which may remove the element.
     for (const name of EVENTS)
       this.frame.addEventListener(name, this.watch, true);
   }
@@ -25,7 +25,7 @@ export class Refocus implements ReactiveController {
   }
 
   private readonly watch = (event: Event): void => {
-    // The user's next click or key cancels what was to be looked at.
+    // The user's next click or key cancels a pending restore.
     clearTimeout(this.timer);
     const acts =
       event.type === "click" ||
@@ -47,7 +47,7 @@ export class Refocus implements ReactiveController {
     }, ms);
   }
 
-  /** Moves the focus from `at`, where that is gone and nothing else has it, into the group it was in, or to the frame's first button. */
+  /** If `at` is gone and nothing else has the focus, moves it into the group of `at`, or to the frame's first button. */
   private restore(at: Element, group: Element | null): void {
     const there = (place: Element) =>
       place.isConnected &&

@@ -6,17 +6,17 @@ import { ofRunout, resultInWords } from "../sentences.js";
 import { w } from "../words.js";
 import { StorePart } from "./part.js";
 
-/** The middle of an uneven tolerance of 1411, whose deviations are from there; null of any other result. */
+/** Middle of an uneven tolerance of 1411, from which its deviations count; null for any other result. */
 function middleOf({ code, limits, nominal }: ResultRow): number | null {
   if (!limits || nominal === null || !/^Q\d/.test(code)) return null;
   const middle = (limits[0] + limits[1]) / 2;
   return Math.abs(middle - nominal) > 1e-9 ? middle : null;
 }
 
-/** What the control will have measured on the virtual part, and the same from what a machine measured. */
+/** Results that the control will store for the virtual part, and results from a machine's measurements. */
 class ResultsPart extends StorePart {
   protected override storeEvents = ["change"];
-  /** What makes reports, and takes a series apart: fetched when something was measured. */
+  /** Module for reports and series, loaded when there are measurements. */
   private readonly reports = new Reports(() => this.requestUpdate());
 
   override render(): TemplateResult {
@@ -39,7 +39,7 @@ class ResultsPart extends StorePart {
     return html`<div class=${stale ? "stale" : ""}>${this.tables(caption, rows)}</div>`;
   }
 
-  /** A number as the language writes it. */
+  /** A number in the notation of the language. */
   private number(value: number | null, digits: number): string {
     return shown(this.store, value, digits);
   }
@@ -51,7 +51,7 @@ class ResultsPart extends StorePart {
       : text;
   }
 
-  /** A value within its limits: the middle half of the bar is good, the whisker is ± 2σ. A value far out is drawn at the edge. */
+  /** Bar of a value within its limits: the middle half is good, the whisker is ± 2σ. A value far outside is drawn at the edge. */
   private bar(r: ResultRow): TemplateResult | typeof nothing {
     const { limits, value, uncertainty, said } = r;
     if (!limits || value === null) return nothing;
@@ -80,7 +80,7 @@ class ResultsPart extends StorePart {
       <line x1=${x(value - spread)} x2=${x(value + spread)} y1="4" y2="4"></line><circle cx=${x(value)} cy="4" r="4"></circle></svg><span aria-hidden="true">${bounds.map((bound) => html`<small>${bound}</small>`)}</span></td></tr>`;
   }
 
-  /** As the form names it, where that has the same: the rotation of a result is against the nominal one. */
+  /** The form's name of a size, if it means the same: a rotation result is relative to the nominal one. */
   private nameOf(r: ResultRow): string {
     const relation =
       this.store.plan.relations[r.cycle - this.store.plan.cycles.length];
@@ -96,7 +96,7 @@ class ResultsPart extends StorePart {
     return field?.label ?? resultInWords(this.store, r);
   }
 
-  /** The nominal value; with the middle of the tolerance, where deviations are from there. */
+  /** The nominal value, with the middle of the tolerance if deviations count from there. */
   private nominal(row: ResultRow): TemplateResult {
     const digits = places(row.unit);
     const middle = middleOf(row);
@@ -124,7 +124,7 @@ class ResultsPart extends StorePart {
     const spread = r.uncertainty === null ? null : 2 * r.uncertainty;
     const of = (row: ResultRow | undefined) =>
       html`<b>${this.number(row?.value ?? null, digits)}</b> <small>${this.signed(row?.deviation ?? null, digits)}</small>${verdict(row)}`;
-    // What no touch of the cycle makes surer was not measured.
+    // A value that no touch of the cycle determines was not measured.
     const told = r.code === "deviation" && this.store.plan.cycles.length > 1;
     const kind = (!r.uncertainty || told) && !r.limits ? "still" : nothing;
     if (measured)
@@ -141,7 +141,7 @@ class ResultsPart extends StorePart {
       <td role="cell" data-label=${this.t("True")} class="n true">${this.number(r.truth, digits)}</td></tr>${this.bar(r)}`;
   }
 
-  /** A table of the results; of a set-up one of each cycle, and one of what is written. */
+  /** A table of the results; in a set-up one per cycle and one for the written values. */
   private tables(
     caption: string,
     measured: Map<string, ResultRow> | null,
@@ -175,7 +175,7 @@ class ResultsPart extends StorePart {
     caption: string,
     measured: Map<string, ResultRow> | null,
   ): TemplateResult {
-    // One sentence for all results that are off for one reason, by more than the table shows.
+    // One note for all results with the same cause of error, if the error exceeds the digits shown.
     const notes = new Map<string, string[]>();
     for (const row of rows) {
       const [, , reason] = row.said.note ?? [];

@@ -1,4 +1,4 @@
-// What is asked of an opened program, and what its run shows: the form, the safety rules, the native cycles.
+// Inputs and report of an opened program's run: the form, the safety rules, the native cycles.
 import { html, nothing, type TemplateResult } from "lit";
 import { jobOfCalls } from "../calls-job.js";
 import type {
@@ -14,7 +14,7 @@ import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { handMade, handMadeFields, isHandMade } from "./hand-made.js";
 
-/** Where probing moves trigger, by what `part` says. */
+/** Trigger points by the value of `part`. */
 const MEETS: [string, number | null | undefined, string][] = [
   ["unknown", undefined, w("not known")],
   ["half", 0.5, w("half way")],
@@ -22,11 +22,11 @@ const MEETS: [string, number | null | undefined, string][] = [
   ["never", null, w("never")],
 ];
 
-/** The part of the job in the form, and one put there by hand. */
+/** Part from the job in the form, and part entered by hand. */
 const FORM = "form";
 const HAND = "hand";
 
-/** So many variables are asked for. */
+/** Maximum number of variables in the form. */
 const MOST_ASKED = 60;
 
 const VERDICTS = {
@@ -35,7 +35,7 @@ const VERDICTS = {
   null: { mark: "?", word: w("not known") },
 } as const;
 
-/** What is written, one row for each line and register: `G54 X 0, Y 5`. Of a line that runs more than once the last values count. */
+/** Written values, one row per line and register: `G54 X 0, Y 5`. For a line that runs several times, the last values. */
 function written(
   writes: ProgramRun["writes"],
 ): { what: string; line: number }[] {
@@ -63,7 +63,7 @@ function written(
 export const brokenOf = (rules: ProgramRun["rules"] = []) =>
   rules.filter(({ holds }) => holds === false);
 
-/** The letter of a fault, in the list and in the margin of its lines: A to Z, then A2. */
+/** Letter of a fault in the list and in the margin of its lines: A to Z, then A2. */
 export const letter = (fault: number): string =>
   `${String.fromCharCode(65 + (fault % 26))}${fault < 26 ? "" : Math.floor(fault / 26) + 1}`;
 
@@ -74,11 +74,11 @@ export const noteList = (notes: string[]): TemplateResult | typeof nothing =>
 
 /** The form and the report beside the moves of a program. */
 export class RunPanel {
-  /** What was asked when the program was opened, or has a value: a field does not go while it is typed in. */
+  /** Variables that were needed when the program was opened, or have a value. A field does not disappear while it is edited. */
   private names: string[] = [];
-  /** The lines that read each of them. */
+  /** Lines that read each variable. */
   private lines = new Map<string, number[]>();
-  /** Whether the form is open: it stays so while something is typed in it. */
+  /** Whether the form is open; it stays open while a field is edited. */
   private open = false;
 
   constructor(
@@ -88,14 +88,14 @@ export class RunPanel {
     private readonly adopt: (job: Job | SetUp) => void,
   ) {}
 
-  /** Another program. */
+  /** Shows another program. */
   begin(): void {
     this.names = [];
     this.lines.clear();
     this.open = false;
   }
 
-  /** Faults first, then what is not followed (`notes`), what is assumed or known, native calls, and the rules that hold. `own` is what the user knows. */
+  /** Faults first, then lines that are not followed (`notes`), assumptions and inputs, native calls, and the rules that hold. `own`: the user's inputs. */
   render(
     own: ProgramKnown,
     { known, assumes, run, plain, wrong }: Ran,
@@ -124,7 +124,7 @@ export class RunPanel {
     `;
   }
 
-  /** `own` is what the user knows, `known` has also what is assumed: it is shown, and not kept. */
+  /** `own`: the user's inputs; `known` also has the assumptions, which are shown and not stored. */
   private form(
     own: ProgramKnown,
     known: ProgramKnown,
@@ -190,7 +190,7 @@ export class RunPanel {
     </details>`;
   }
 
-  /** The control that the program is for. If none is chosen, it is recognised by the text. */
+  /** Control of the program. Without a choice it is recognised from the text. */
   private control(own: ProgramKnown): TemplateResult {
     const t = this.store().t.bind(this.store());
     const choose = (event: Event) => {
@@ -205,7 +205,7 @@ export class RunPanel {
       <select id="known-post" @change=${choose}><option value="" ?selected=${!own.post}>${t("by its text")}</option>${titles.map(([post, title]) => html`<option value=${post} ?selected=${own.post === post}>${title}</option>`)}</select></div>`;
   }
 
-  /** The fields of a part that is put there by hand. */
+  /** Fields of a part entered by hand. */
   private hand(
     known: ProgramKnown,
     number: (
@@ -262,7 +262,7 @@ export class RunPanel {
         ${key === "at" ? html`<option value=${HAND} ?selected=${byHand}>${t("on a part put there by hand")}</option><option value=${FORM} ?selected=${onPart && !byHand}>${t("on the part in the form")}</option>` : nothing}</select></div>`;
   }
 
-  /** A number, also with a decimal comma; none if the field is empty. What is neither stays to be mended. */
+  /** Reads a number, also with a decimal comma; an empty field gives none. Other text stays for correction. */
   private take(event: Event, take: (x: number | null) => void): void {
     const input = event.target as HTMLInputElement;
     const text = input.value.trim().replace(",", ".").replace("−", "-");
@@ -272,7 +272,7 @@ export class RunPanel {
     if (!wrong) take(value);
   }
 
-  /** A rule and what became of it; a fault has its letter. */
+  /** A rule and its result; a fault has its letter. */
   private rule(
     { rule, holds, said, lines }: ProgramRun["rules"][number],
     index: number,
@@ -285,7 +285,7 @@ export class RunPanel {
       ${store.say(said)}${this.places(lines)}</li>`;
   }
 
-  /** The first lines, each of which a click shows. */
+  /** The first lines; a click shows a line. */
   private places(lines: number[]): TemplateResult | typeof nothing {
     if (lines.length === 0) return nothing;
     const t = this.store().t.bind(this.store());
@@ -299,7 +299,7 @@ export class RunPanel {
     return html` <button type="button" class="quiet" title=${t("Show in the program")} @click=${() => this.point(lines[0] as number)}>${says}${lines.length > 8 ? ", …" : ""}</button>`;
   }
 
-  /** One job of all calls, if there can be one. */
+  /** One job of all calls, if possible. */
   private allCalls(
     calls: ProgramRun["calls"],
   ): TemplateResult | typeof nothing {

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Store } from "../store.js";
 
-/** What is said of a program whose file held another one when it was saved before: that may be at the machine. Empty where it did not. */
+/** Warning about a file name under which another program was saved before, which may be at the machine. Empty without one. */
 export function replaced(store: Store): string {
   const file = store.fileName(store.plan.program.extension);
   return !store.stale && store.replaces(file)
@@ -9,7 +9,7 @@ export function replaced(store: Store): string {
     : "";
 }
 
-/** The one button that hands out the program: at the end of the bar, or of the foot where the page is narrow. It says why it cannot. */
+/** The save button: at the end of the bar, or of the footer on a narrow page. It gives the reason if the program cannot be saved. */
 export function saveButton(
   store: Store,
   withheld: string | null,

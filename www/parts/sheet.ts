@@ -6,7 +6,7 @@ import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
 import { StorePart } from "./part.js";
 
-/** What a program says before its blocks, from the units on: what must be so before the start, and what it does. */
+/** Header lines of a program before its blocks, from the units on: preconditions and effects. */
 function conditions(text: string): string[] {
   const said = [];
   for (const line of text.split("\n")) {
@@ -22,13 +22,13 @@ function conditions(text: string): string[] {
   return said;
 }
 
-/** Where the pictures are looked at from. */
+/** Views of the pictures. */
 const SEEN = ["top", "front"] as const;
 
-/** Programs whose comments are longer than this break none. */
+/** Programs with longer comments do not wrap them. */
 const WRAPS = 80;
 
-/** Comments as they were before the columns of the program broke them: where the next word would not have fitted, the sentence continues. */
+/** Joins wrapped comments: a line continues the sentence if its first word did not fit on the line before. */
 function unwrapped(lines: string[]): string[] {
   const most = Math.max(...lines.map((line) => line.length));
   if (most > WRAPS) return lines;
@@ -45,16 +45,16 @@ function unwrapped(lines: string[]): string[] {
   return whole;
 }
 
-/** Of a sheet with more results or touches than these the print is smaller: it is one page. */
+/** A sheet with more results or touches is printed smaller, so that it fits on one page. */
 const MANY_RESULTS = 12;
 const MANY_TOUCHES = 8;
 
-/** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
+/** One page to print and take to the machine: picture, dimensions, expected results, checks, and boxes for the measured values. */
 class SheetPart extends StorePart {
   protected override storeEvents = ["change"];
   /** The pictures: from the top, and from the front with every height. */
   private readonly drawings = new Map<(typeof SEEN)[number], Drawing>();
-  /** What was drawn on, and the form that was drawn. */
+  /** The canvas and the form that were drawn. */
   private drawn: { canvas?: Element; form: string } = { form: "" };
 
   override render(): TemplateResult {
@@ -181,23 +181,23 @@ class SheetPart extends StorePart {
     ];
   }
 
-  /** The code of a field, for authors of postprocessors. */
+  /** Code of a field, for authors of postprocessors. */
   private code(code: string | null = null): TemplateResult | typeof nothing {
     return this.store.cam ? html`<td><code>${code ?? ""}</code></td>` : nothing;
   }
 
-  /** The hash that the program's header says, by which it is known at the machine; empty where it says none. */
+  /** Hash in the program's header, which identifies it at the machine; empty without one. */
   private get hash(): string {
     return /Blocks below: (\w+)/i.exec(this.store.plan.program.text)?.[1] ?? "";
   }
 
-  /** Why this control cannot hold some of the rules, each reason once. */
+  /** Reasons why this control cannot guarantee some of the rules, each once. */
   private reasons(): string[] {
     const unable = this.store.plan.safety.filter((rule) => rule.holds === null);
     return [...new Set(unable.map((rule) => this.store.say(rule.said)))];
   }
 
-  /** The dimensions of the cycle, or of each of them. */
+  /** Dimensions of the cycle, or of each cycle. */
   private dimensions() {
     const { features, draft, catalog, cycle } = this.store;
     const of = (entry: typeof cycle, form: Record<string, unknown>) => [
@@ -222,7 +222,7 @@ class SheetPart extends StorePart {
     });
   }
 
-  /** What a field says; the postprocessor's own are no part of a set-up. */
+  /** Value of a field. Fields of the postprocessor are not part of a set-up sheet. */
   private row(
     field: FieldEntry,
     held: unknown,
@@ -258,7 +258,7 @@ class SheetPart extends StorePart {
   override connectedCallback(): void {
     super.connectedCallback();
     this.store.addEventListener("recolour", this.restyle);
-    // Moved to another place of the page, it has lost its drawings.
+    // After a move to another position of the page the drawings are lost.
     this.requestUpdate();
   }
 
@@ -283,7 +283,7 @@ class SheetPart extends StorePart {
     const canvas = this.querySelector("canvas");
     if (!canvas) return;
     const form = `${this.store.revision} ${this.store.lang}`;
-    // With an error in the form the canvases go, and with them what drew on them.
+    // With an error in the form the canvases and their drawings are removed.
     if (this.drawn.canvas !== canvas) {
       this.free();
       for (const from of SEEN) {

@@ -1,10 +1,10 @@
-// The keys of the whole page, and what is pasted beside every field.
+// Keys of the whole page, and text pasted outside of fields.
 import type { Store } from "../store.js";
 import type { Intake } from "./intake.js";
 import { letterOf } from "./keys.js";
 import type { Tool } from "./tools.js";
 
-/** The page that they belong to. */
+/** The page that the keys control. */
 interface Page {
   store: Store;
   intake: Intake;
@@ -13,7 +13,7 @@ interface Page {
   links: boolean;
   tool(): Tool;
   ask(what: string): unknown;
-  /** Back to the job. */
+  /** Returns to the job. */
   leave(): void;
 }
 
@@ -33,7 +33,7 @@ export class Shortcuts {
     this.heard.removeEventListener("keydown", this.shortcut);
   }
 
-  /** Undo and redo are the page's, in its fields too: only a text that is pasted in keeps its own. */
+  /** Undo and redo belong to the page, also in its fields; only the field for pasted text keeps its own. */
   private readonly shortcut = (event: Event): void => {
     if (!(event instanceof KeyboardEvent)) return;
     if (event.key === "Escape") this.escape(event);
@@ -55,8 +55,8 @@ export class Shortcuts {
       this.page.ask("save");
       return;
     }
-    // A field that is not the job's changes none, and no job is changed that is not seen. Left to the browser, the key would take
-    // back the last letter of any field of the page.
+    // Keys in other fields do not change the job, nor do keys while the job is hidden. Left to the browser, the key would undo the last input in any field of
+    // the page.
     const seen =
       this.page.tool() === "cycles" && !this.app.querySelector("dialog[open]");
     const other =
@@ -67,7 +67,7 @@ export class Shortcuts {
     else this.page.store.undo();
   };
 
-  /** What is pasted beside every field is opened, as a file would be. */
+  /** Opens text that is pasted outside of fields, like a file. */
   private readonly pasted = (event: Event): void => {
     if (!(event instanceof ClipboardEvent)) return;
     const at = event.composedPath()[0] as Element;
@@ -79,19 +79,19 @@ export class Shortcuts {
     else this.page.intake.paste(event);
   };
 
-  /** Where keys are heard: on Touchpath's own page everywhere, so that a click beside everything does not make them dead. */
+  /** Target of the key listeners: the whole window on Touchpath's own page, so that a click beside everything does not disable them. */
   private get heard(): EventTarget {
     return this.page.links ? document : this.app;
   }
 
-  /** Whether keys that are pressed here are the job's: what the host page has put into a slot is its own. */
+  /** Whether keys pressed here belong to the job: elements in a slot belong to the host page. */
   private owns(at: Element): boolean {
     return (
       this.app.contains(at) || (this.page.links && at.contains(this.page.host))
     );
   }
 
-  /** From anything else back to the job; a field, a dialog and the menu have Escape for themselves. */
+  /** Escape returns to the job; fields, dialogs and the menu handle it themselves. */
   private escape(event: KeyboardEvent): void {
     const at = event.composedPath()[0] as Element;
     if (

@@ -1,9 +1,9 @@
-// What is shown of the text of an opened program, by its editor or before that is loaded.
+// Display data of an opened program, for its editor and for the plain list.
 
-/** What a line does: it probes, it moves nothing (`plain`), or it moves. */
+/** Effect of a line: it probes, has no move (`plain`), or moves. */
 export type Kind = "touch" | "plain" | "";
 
-/** The lines that were found, which count from 0, and the one of them that is shown; -1 is none. */
+/** Matching lines, from 0, and the index of the current one; -1 without one. */
 export interface Found {
   matches: ReadonlySet<number>;
   here: number;
@@ -15,21 +15,21 @@ export interface Mark {
   touch: string;
 }
 
-/** What is shown of a text. */
+/** Display data of a text. */
 export interface Shown {
   text: string;
   kind: (line: number) => Kind;
   marks: ReadonlyMap<number, Mark>;
-  /** What is said of lines, at their margin. */
+  /** Notes about lines, for their margin. */
   notes: ReadonlyMap<number, string[]>;
   found: Found;
-  /** The line that is lit; -1 is none. */
+  /** The highlighted line; -1 without one. */
   lit: number;
-  /** The line that is brought into sight; -1 is none. */
+  /** The line to scroll to; -1 without one. */
   sight: number;
 }
 
-/** The attributes of a line for its mark: CSS prints what they say. */
+/** Attributes of a line for its mark: CSS prints their values. */
 export const attributesOf = (mark: Mark | undefined): Record<string, string> =>
   mark?.faults
     ? { "data-faults": mark.faults }
@@ -37,14 +37,14 @@ export const attributesOf = (mark: Mark | undefined): Record<string, string> =>
       ? { "data-touch": mark.touch }
       : {};
 
-/** A line that is brought into sight is this far from the edge, px. */
+/** Distance from the edge of a line that was scrolled to, px. */
 export const MARGIN = 40;
 
-/** A text of more lines, or of a longer line, has the editor. */
+/** A text with more lines, or with a longer line, gets the editor. */
 const MOST_LINES = 5000;
 const LONGEST_LINE = 5000;
 
-/** Whether a text is shown as lines. */
+/** Whether a text is shown as a list of lines. */
 export function isShort(text: string): boolean {
   const lines = text.split(/\r\n?|\n/, MOST_LINES + 1);
   return (

@@ -1,8 +1,8 @@
-// Size of the page, which decides whether its panels are shown side by side or as tabs.
+// Size of the page, which decides whether panels are side by side or tabs.
 import type { LitElement } from "lit";
 import { WIDE } from "./panels.js";
 
-/** Follows the size of the page, and draws it again where that changes its panels. */
+/** Observes the size of the page and redraws it if its panels change. */
 export class Size {
   width = WIDE;
   height = 0;
@@ -29,7 +29,7 @@ export class Size {
     this.keepPlace();
   }
 
-  /** Renders again; the form, which may be put elsewhere, keeps its place and the focus. */
+  /** Renders again. The form may move to another place but keeps its scroll position and focus. */
   private async keepPlace(): Promise<void> {
     const at = this.app.querySelector<HTMLElement>("tp-form :focus");
     const top = this.app.querySelector("tp-form")?.scrollTop ?? 0;

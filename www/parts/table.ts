@@ -14,10 +14,10 @@ import { w } from "../words.js";
 import { copied, copy, download, withheld } from "./download.js";
 import { StorePart } from "./part.js";
 
-/** Rows that have no code of a table: those of a native cycle. */
+/** Group of rows without a table code: those of a native cycle. */
 const OTHERS = w("Cycle");
 
-/** Where a row belongs, by its code. */
+/** Group of a row, by its code. */
 function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
   const code = Number(/\[(-?\d+)\]/.exec(row.code)?.[1] ?? Number.NaN);
   return (
@@ -26,21 +26,21 @@ function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
   );
 }
 
-/** The parameter table of the source, by groups. Rows of a touch light up with it. */
+/** Parameter table of the source, by groups. Rows of the current touch are highlighted. */
 class TablePart extends StorePart {
   protected override storeEvents = ["change"];
   protected override lights = true;
   private told = "";
-  /** The plan that was saved or copied: what is said of it holds for no other. */
+  /** The plan that was saved or copied; its message holds for no other. */
   private toldOf?: Plan;
-  /** What the rows mean, for another language than English. */
+  /** Meanings of the rows in languages other than English. */
   private said = new Map<ParameterRow, Message>();
   private filter = "";
   private readonly closed = new Set<string>();
 
   override render(): TemplateResult {
     const { plan, stale, lang, shown } = this.store;
-    // In English a row says itself what it means.
+    // An English row contains its meaning.
     const said = lang === "en" ? [] : meanings(shown as unknown as Job);
     this.said = new Map(
       plan.table.flatMap((row, i) => (said[i] ? [[row, said[i]]] : [])),
@@ -92,12 +92,12 @@ class TablePart extends StorePart {
     `;
   }
 
-  /** The rows of the touch that is pointed at. */
+  /** Rows of the current touch. */
   protected override light(): void {
     const { highlight, plan } = this.store;
     const touched =
       highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
-    // A row names the first touch of its point.
+    // A row belongs to the first touch of its point.
     const one = touched === null ? undefined : plan.touches[touched];
     const same = (other: TouchPoint) =>
       other.cycle === one?.cycle &&
@@ -112,7 +112,7 @@ class TablePart extends StorePart {
     }
     const box = this.querySelector<HTMLElement>(".scroll");
     if (first && box && touch !== this.seen && !this.matches(":hover")) {
-      // The table alone: what is around the element is not scrolled.
+      // Scrolls only the table, not the elements around it.
       const [row, seen] = [
         first.getBoundingClientRect(),
         box.getBoundingClientRect(),
@@ -123,10 +123,10 @@ class TablePart extends StorePart {
     this.seen = touch;
   }
 
-  /** The touch whose rows were brought into sight last. */
+  /** The touch whose rows were scrolled to last. */
   private seen: number | null = null;
 
-  /** What a parameter means; in another language than English the words of its field say it. */
+  /** Meaning of a parameter; in other languages the words of its field. */
   private meaning(row: ParameterRow): string {
     const said = this.said.get(row);
     if (!said) return row.meaning;

@@ -3,47 +3,47 @@ import type { PageView } from "../core/browser.js";
 import { clockOf } from "../sentences.js";
 import type { Store } from "../store.js";
 
-/** How many times as fast as the machine the run is played. */
+/** Playback speeds, relative to the machine. */
 const SPEEDS = [1, 4, 16] as const;
 
-/** A move whose feed or position is not known is played in this many seconds. */
+/** Playback time of a move with an unknown feed or position, seconds. */
 const UNKNOWN_TIME = 0.5;
 
-/** More marks than this would be a bar. */
+/** Maximum number of marks; more would merge into a bar. */
 const MOST_MARKS = 200;
 
-/** The width of the slider's thumb, pixels; the style sheet knows the same width. */
+/** Width of the slider's thumb, pixels; the style sheet uses the same width. */
 const THUMB = 16;
 
-/** The moves that a timeline runs over: those of a plan, or of an opened program. */
+/** Moves of a timeline: those of a plan or of an opened program. */
 export interface Run {
   /** Number of moves; 0 if there is a picture but nothing to step through. */
   readonly count: number;
-  /** The move that is pointed at, from 0; null if none. */
+  /** The current move, from 0; null without one. */
   readonly at: number | null;
-  /** The touches among the moves, counted from 1. */
+  /** Moves that touch, counted from 1. */
   readonly touches: number[];
   /** Numbers of moves after which another cycle begins. */
   readonly chapters: number[];
-  /** Points at a move, or at none. */
+  /** Sets the current move, or none. */
   point(move: number | null): void;
-  /** A move in words, or the whole run; `short` is what has room under the rail. */
+  /** A move in words, or the whole run; `short` fits under the slider. */
   words(move: number | null, short: boolean): string;
 }
 
-/** The run under the picture: played by its feeds, stepped through by moves and touches, and put into words. */
+/** Timeline of a run: plays it by its feeds, steps through moves and touches, and describes them. */
 export class Timeline {
-  /** The seconds that each move takes, NaN if not known, and their sum. */
+  /** Duration of each move in seconds, NaN if unknown, and their sum. */
   private times: Float64Array = new Float64Array();
   private whole = 0;
-  /** The seconds of the run that are over; null where nothing plays. */
+  /** Elapsed seconds of the run; null while nothing plays. */
   private clock: number | null = null;
   private speed: (typeof SPEEDS)[number] = 1;
   private frameAsked = 0;
-  /** The marks of the touches on the rail. */
+  /** Marks of the touches on the slider. */
   private marks = "";
 
-  /** In the part `box`, which renders it and is rendered again when it has `changed`; `use` draws. `id` names the slider. */
+  /** `box` is the part that renders the timeline, and renders again after `changed`; `use` gives access to the drawing. `id` is the id of the slider. */
   constructor(
     private readonly box: HTMLElement,
     private readonly id: string,
@@ -53,12 +53,12 @@ export class Timeline {
     private readonly changed: () => void,
   ) {}
 
-  /** Whether the run is played now. */
+  /** Whether the run is playing. */
   get plays(): boolean {
     return this.clock !== null;
   }
 
-  /** Takes how long the moves of another run take. */
+  /** Sets the durations of another run's moves. */
   take(times: Float64Array): void {
     this.times = times;
     this.whole = this.until(times.length);
@@ -79,7 +79,7 @@ export class Timeline {
       </div>`;
   }
 
-  /** Marks the touches on the rail at the positions of the thumb, and in a set-up the start of each cycle. */
+  /** Marks the touches on the slider at the positions of the thumb, and in a set-up the start of each cycle. */
   mark(): void {
     const { count, chapters, touches } = this.run;
     const track = this.box.querySelector<HTMLElement>(".track");
@@ -99,7 +99,7 @@ export class Timeline {
     track.style.background = marks;
   }
 
-  /** Says the move that is pointed at. */
+  /** Describes the current move. */
   light(): void {
     const slider = this.box.querySelector<HTMLInputElement>(`#${this.id}`);
     const words = this.box.querySelector("output");
@@ -119,25 +119,25 @@ export class Timeline {
     this.changed();
   }
 
-  /** The move that is pointed at, counted from 1; 0 is none. */
+  /** The current move, from 1; 0 without one. */
   private get at(): number {
     return (this.run.at ?? -1) + 1;
   }
 
-  /** The seconds of the first so many moves. */
+  /** Duration of the first moves, seconds. */
   private until(moves: number): number {
     return this.times
       .subarray(0, moves)
       .reduce((sum, seconds) => sum + seconds, 0);
   }
 
-  /** The seconds in which a move is played. */
+  /** Playback time of a move, seconds. */
   private secondsOf(move: number): number {
     const seconds = this.times[move] as number;
     return Number.isNaN(seconds) ? UNKNOWN_TIME : seconds;
   }
 
-  /** Tells the seconds of the run that are over, while it plays or up to the move that is pointed at. */
+  /** Shows the elapsed time while the run plays or up to the current move. */
   private tell(): void {
     const clock = this.box.querySelector(".clock");
     if (!clock) return;
@@ -148,13 +148,13 @@ export class Timeline {
         : `${clockOf(over)} / ${clockOf(this.whole)}`;
   }
 
-  /** To a move, counted from 1; 0 is none. */
+  /** Goes to a move, counted from 1; 0 is the start. */
   private step(count: number): void {
     this.pause();
     this.run.point(count === 0 ? null : count - 1);
   }
 
-  /** To the next touch, or the one before; from the last one to the end. */
+  /** Goes to the next or previous touch; from the last one to the end. */
   private toTouch(way: 1 | -1): void {
     const { at } = this;
     const { touches, count } = this.run;
@@ -191,7 +191,7 @@ export class Timeline {
     }
     const { count } = this.run;
     if (count === 0) return;
-    // The move that is played, and how much of it is over, seconds.
+    // The playing move and its elapsed seconds.
     let move = this.at >= count ? 0 : this.at;
     let over = 0;
     this.clock = this.until(move);
@@ -199,7 +199,7 @@ export class Timeline {
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const tick = (now: number) => {
       if (this.clock === null) return;
-      // Nothing plays that is not seen.
+      // A hidden timeline stops.
       if (this.box.closest("[hidden]")) {
         this.pause();
         return;
@@ -217,7 +217,7 @@ export class Timeline {
       }
       this.run.point(move);
       this.tell();
-      // Where motion is not wanted the ball is shown at the ends of the moves only.
+      // With reduced motion the ball is only shown at the ends of the moves.
       const part = still ? 1 : over / this.secondsOf(move);
       this.use((view) => view.play(move, part));
       this.frameAsked = requestAnimationFrame(tick);

@@ -1,10 +1,10 @@
-// What takes the place of the job on the page: loaded when it is asked for, and left by the browser's Back.
+// Tools that replace the job on the page: loaded on demand, left with the browser's Back.
 import type { LitElement } from "lit";
 import { awaited, type Message, whole } from "../core/browser.js";
 import { isObject } from "../job.js";
 import { w } from "../words.js";
 
-/** What takes the place of the job's picture and panels: pictures to choose from, LENTOAX, a page of the manual, a program that says no job, a page to print. */
+/** Tools that replace the job's picture and panels: gallery, LENTOAX, manual page, opened program, set-up sheet. */
 export type Tool =
   | "gallery"
   | "cycles"
@@ -13,7 +13,7 @@ export type Tool =
   | "viewer"
   | "sheet";
 
-/** What is loaded when the job is on the screen, or when it is asked for before. */
+/** Parts that are loaded once the job is shown, or on demand. */
 const LAZY_PARTS: Record<string, () => Promise<unknown>> = {
   gallery: () => import("./gallery.js"),
   commands: () => import("./commands.js"),
@@ -24,29 +24,29 @@ const LAZY_PARTS: Record<string, () => Promise<unknown>> = {
   presets: () => import("./presets.js"),
 };
 
-/** What needs the rest of the module. */
+/** Tools that need the second part of the module. */
 const WHOLE = new Set(["lengths", "viewer"]);
 
-/** Milliseconds after which the user sees that something is being loaded. */
+/** Milliseconds after which a loading message appears. */
 const SOON = 300;
 const LOADING: Message = [w("This part of the page is being loaded …")];
 export const MISSING: Message = [
   w("This part of the page could not be loaded: is there a network?"),
 ];
 
-/** What the page does for it. */
+/** The page's part in showing a tool. */
 interface Around {
-  /** Whether the page is Touchpath's own: then what is shown is an entry of the browser's history. */
+  /** Whether the page is Touchpath's own: then a tool is an entry of the browser's history. */
   links: boolean;
   tell(text: Message | null): void;
-  /** What is being told. */
+  /** The current message. */
   said(): Message | null;
 }
 
-/** Which of them is shown, and which are loaded. */
+/** The current tool, and the loaded parts. */
 export class Tools {
   now: Tool = "cycles";
-  /** Loaded parts: an element that is put into the page before its class is known would lose its properties. */
+  /** Loaded parts. An element that is added before its class is defined would lose its properties. */
   readonly there = new Set<string>();
 
   constructor(
@@ -54,27 +54,27 @@ export class Tools {
     private readonly around: Around,
   ) {}
 
-  /** Loads everything once the page is idle. */
+  /** Loads all parts once the page is idle. */
   preload(): void {
     const later = () => {
       if (this.app.isConnected)
         for (const load of Object.values(LAZY_PARTS))
           load().catch(() => undefined);
     };
-    // Not while the module is still to come: they would share its line.
+    // Not while the module is loading: they would share the connection.
     const there = awaited() ?? Promise.resolve();
     there.then(() => setTimeout(later, 500)).catch(() => undefined);
   }
 
-  /** What had the focus when the job was left. */
+  /** Element that had the focus when the job was left. */
   private opener: HTMLElement | null = null;
-  /** Counts what was asked for: what was asked for last is shown, whatever is loaded first. */
+  /** Number of requests: the last one is shown, whichever part loads first. */
   private turns = 0;
 
-  /** How often the browser was sent back by the page itself. */
+  /** Number of times that the page itself went back in the history. */
   private backs = 0;
 
-  /** Back in the browser is back to the job: what takes its place is an entry of the history, on Touchpath's own page. */
+  /** The browser's Back returns to the job: on Touchpath's own page a tool is an entry of the history. */
   private enter(tool: Tool): void {
     if (!this.around.links || tool === this.now) return;
     const entered = isObject(history.state) && "touchpath" in history.state;
@@ -94,27 +94,27 @@ export class Tools {
       this.use("cycles");
   };
 
-  /** Shows the job or what takes its place. */
+  /** Shows the job or a tool. */
   async use(tool: Tool): Promise<void> {
     const turn = ++this.turns;
     if ((await this.loads(tool)) && turn === this.turns) {
       const leaves = this.now === "cycles" && tool !== "cycles";
       if (leaves) this.opener = this.app.querySelector<HTMLElement>(":focus");
-      // What is said of an opened program belongs to its picture.
+      // Messages about an opened program belong to its picture.
       if (this.now === "viewer" && tool !== "viewer") this.around.tell(null);
       this.enter(tool);
       this.now = tool;
       this.app.requestUpdate();
       if (tool !== "cycles") return;
       await this.app.updateComplete;
-      // Back where it came from, where nothing else has the focus.
+      // Returns the focus to the element that opened the tool, if nothing else has it.
       if (!this.app.querySelector(":focus") && this.opener?.checkVisibility())
         this.opener.focus({ preventScroll: true });
       this.opener = null;
     }
   }
 
-  /** Loads the rest of the module, and says so where that takes a while. */
+  /** Loads the second part of the module, with a message if it takes a while. */
   async whole(): Promise<void> {
     const late = setTimeout(() => this.around.tell(LOADING), SOON);
     try {
@@ -125,7 +125,7 @@ export class Tools {
     if (this.around.said() === LOADING) this.around.tell(null);
   }
 
-  /** Loads what was not needed until now; false where it cannot be had. */
+  /** Loads a part; returns false if that fails. */
   async loads(what: string): Promise<boolean> {
     try {
       await Promise.all([

@@ -1,4 +1,4 @@
-// An opened program: picture of its moves, faults, and what is known or assumed. It is not proven.
+// Viewer of an opened program: its moves, faults, inputs and assumptions. Nothing about it is proven.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type {
   Finding,
@@ -22,14 +22,14 @@ import { brokenOf, letter, noteList, RunPanel } from "./run-panel.js";
 import type { Mark } from "./shown.js";
 import { type Run, Timeline } from "./timeline.js";
 
-/** A longer text, or one with more moves, is run in a worker: the page can be used meanwhile. */
+/** A longer text, or one with more moves, runs in a worker while the page stays usable. */
 const LONG_TEXT = 20_000;
 const MANY_MOVES = 2000;
 
-/** A longer text is only read. */
+/** A longer text is read but not run. */
 const LONGEST_RUN = 5_000_000;
 
-/** What the kinds of moves are called. */
+/** Names of the kinds of moves. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
 
 class ViewerPart extends DrawnPart {
@@ -54,11 +54,11 @@ class ViewerPart extends DrawnPart {
   );
   /** The last move of every line that makes one. */
   private moveAt = new Map<number, number>();
-  /** What the user knows of the program; nothing: it is read as it is. */
+  /** The user's inputs; if empty, the program is read as it is. */
   private own: ProgramKnown = {};
-  /** Its run; `null` until it is there, and if the text is too long. */
+  /** Its run; `null` until it has run, and if the text is too long. */
   private ran: Ran | null = null;
-  /** The run that is under way in a worker: aborted when another one begins. */
+  /** Aborts the run in a worker when another one starts. */
   private running: AbortController | null = null;
   private readonly panel = new RunPanel(
     () => this.store,
@@ -79,7 +79,7 @@ class ViewerPart extends DrawnPart {
       ),
   );
 
-  /** The touches among the moves, counted from 1. */
+  /** Moves that touch, counted from 1. */
   private touches: number[] = [];
   private readonly timeline = new Timeline(
     this,
@@ -89,11 +89,11 @@ class ViewerPart extends DrawnPart {
     (act) => this.drawing?.use(act),
     () => this.requestUpdate(),
   );
-  /** What is said of lines: findings, and rules that they break. */
+  /** Notes about lines: findings, and rules that they break. */
   private notes = new Map<number, string[]>();
   /** Letters and numbers in the margin, by line. */
   private marks = new Map<number, Mark>();
-  /** What is said of the line that is pointed at. */
+  /** Notes about the current line. */
   private noted: string[] = [];
 
   private timelineRun(): Run {
@@ -119,7 +119,7 @@ class ViewerPart extends DrawnPart {
     return this.shown && this.ran ? this.ran.run : this.viewed.moves;
   }
 
-  /** Whether the run is shown: where it knows more than the words, or makes more moves, as those of a control's own macros. */
+  /** Whether the run is shown: if it knows more than the text, or makes more moves, such as those of macros. */
   private get shown(): boolean {
     return (
       this.knows ||
@@ -127,7 +127,7 @@ class ViewerPart extends DrawnPart {
     );
   }
 
-  /** Whether anything is known beside the text. */
+  /** Whether there are any inputs. */
   private get knows(): boolean {
     const { set = {}, start, part = {} } = this.ran?.known ?? {};
     return (
@@ -137,7 +137,7 @@ class ViewerPart extends DrawnPart {
     );
   }
 
-  /** Runs the program with what is known: a long one in a worker, and what was shown stays until the run is there. */
+  /** Runs the program with the inputs, a long one in a worker. The previous state stays until the run has finished. */
   private runs(own: ProgramKnown): void {
     this.own = own;
     this.running?.abort();
@@ -169,7 +169,7 @@ class ViewerPart extends DrawnPart {
     });
   }
 
-  /** Takes a run, or only the moves that were read. */
+  /** Shows a run, or only the moves that were read. */
   private takes(ran: Ran | null): void {
     this.timeline.pause();
     this.ran = ran;
@@ -200,7 +200,7 @@ class ViewerPart extends DrawnPart {
     this.noted = [];
   }
 
-  /** What is said of each line. */
+  /** Notes about each line. */
   private said(): Map<number, string[]> {
     const notes = new Map<number, string[]>();
     const { findings = [] } = this.ran?.run ?? {};
@@ -214,7 +214,7 @@ class ViewerPart extends DrawnPart {
     return notes;
   }
 
-  /** Marks for the margin: the letters of faults and the numbers of touches, as in list and picture. `numbers`: the first and the last touch of each line. */
+  /** Marks for the margin: letters of faults and numbers of touches, as in list and picture. `numbers`: first and last touch of each line. */
   private marked(numbers: Map<number, [number, number]>): Map<number, Mark> {
     const marks = new Map<number, Mark>();
     const faults = brokenOf(this.ran?.plain.rules);
@@ -233,7 +233,7 @@ class ViewerPart extends DrawnPart {
     return marks;
   }
 
-  /** What is said of a line, and its move. */
+  /** Notes about a line, and its move. */
   private pointLine(line: number | null): void {
     const noted = line === null ? [] : (this.notes.get(line) ?? []);
     if (noted.length > 0 || this.noted.length > 0) {
@@ -246,7 +246,7 @@ class ViewerPart extends DrawnPart {
   static override properties = { viewed: { attribute: false } };
 
   override render(): TemplateResult {
-    // Why no job is made of it comes last: faults and positions are what it was opened for. What the run understands is not said to be strange.
+    // The reason why there is no job comes last: users open a program for its faults and positions. What the run understands is not reported as unknown.
     const runs = this.moves.kind.length > 0;
     const why = this.viewed.why.filter(
       ({ code }) => !runs || code !== "not-understood",
@@ -281,7 +281,7 @@ class ViewerPart extends DrawnPart {
     `;
   }
 
-  /** A list of the lines that name the lines below them, to go there. */
+  /** Headings of the program to jump to. */
   private headings(): TemplateResult | typeof nothing {
     const outline = this.ran?.run.outline ?? [];
     if (outline.length < 2) return nothing;
@@ -310,7 +310,7 @@ class ViewerPart extends DrawnPart {
     this.finder.again();
   }
 
-  /** The program line by line; the line of the move that is pointed at is lit. */
+  /** The program by lines; the line of the current move is highlighted. */
   private list(): void {
     const { text } = this.viewed;
     const { moves } = this;
@@ -337,7 +337,7 @@ class ViewerPart extends DrawnPart {
     this.listing.light(line, !this.querySelector(".listing:hover"));
   }
 
-  /** Ctrl+F: the browser would look through the lines that are seen only. */
+  /** Ctrl+F: the browser would search only the visible lines. */
   private key(event: KeyboardEvent): void {
     if (
       !this.listing?.edits ||
@@ -351,7 +351,7 @@ class ViewerPart extends DrawnPart {
   }
 
   protected override updated(_changed: PropertyValues): void {
-    // Taken out of the page, it is drawn when it is put in again.
+    // An element outside of the page is drawn when it is added again.
     if (!this.isConnected) return;
     const fresh = !this.drawing;
     if (!this.drawing) {
