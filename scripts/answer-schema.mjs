@@ -1,10 +1,10 @@
-// The JSON Schema of what comes out (plans, findings, imports, the catalog …), from the types of the package, which come from the crate's own lists.
+// JSON Schema of the package's answers (plans, findings, imports, the catalog …), made from the package's types, which come from the crate's lists.
 import { createGenerator } from "ts-json-schema-generator";
 import { at } from "./lib.mjs";
 
 /** @typedef {Record<string, any>} Schema */
 
-/** What is answered, by the names of its types. */
+/** Answers, by the names of their types. */
 const ANSWERS = [
   "Plan",
   "Finding",
@@ -17,12 +17,12 @@ const ANSWERS = [
   "Report",
 ];
 
-/** What goes in has a schema of its own. */
+/** Inputs have a schema of their own. */
 const JOB = { $ref: "urn:touchpath:job:1" };
 const INPUTS = ["Job", "SetUp"];
 
 /**
- * A part of a schema of draft 07 in the words of 2020-12. An object may have more than is known here: a later version adds to it.
+ * Converts a part of a schema from draft 07 to 2020-12. Objects may have additional keys: later versions add some.
  * @param {any} part
  * @returns {any}
  */
@@ -61,7 +61,7 @@ function inWords(part) {
   return inner;
 }
 
-/** The definitions that these lead to, themselves too. @param {Schema} all @param {string[]} names */
+/** The definitions reachable from these, including them. @param {Schema} all @param {string[]} names */
 function reached(all, names) {
   /** @type {Schema} */
   const found = {};

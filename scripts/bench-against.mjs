@@ -1,5 +1,5 @@
-// This build beside versions 0.1.0 and 0.2.0, in one process and one browser: the ratios of what a user waits for. Exits with 1 where one is above its limit.
-// The earlier versions are built once, outside the repository: in TOUCHPATH_CACHE, or the user's cache folder.
+// Compares this build with versions 0.1.0 and 0.2.0 in one process and one browser, as ratios of the times that a user waits. Exits with 1 if a ratio exceeds
+// its limit. Earlier versions are built once outside the repository: in TOUCHPATH_CACHE or the user's cache folder.
 import { spawnSync } from "node:child_process";
 import {
   existsSync,
@@ -23,7 +23,7 @@ const VERSIONS = /** @type {const} */ ({
 });
 /** @typedef {keyof typeof VERSIONS} Version */
 
-/** The folder of a version's build; builds it where there is none. */
+/** Folder of a version's build, which is made if it is missing. */
 function built(/** @type {Version} */ version) {
   const commit = VERSIONS[version];
   const cache =
@@ -55,7 +55,7 @@ const packages = {
   now: await load(root),
 };
 
-/** What is measured: its ratio to a version, and the most that it may be. @type {{ what: string, to: Version | "", ratio: number, limit: number, unit: string }[]} */
+/** Rows: the measured time as a ratio to a version, with its limit. @type {{ what: string, to: Version | "", ratio: number, limit: number, unit: string }[]} */
 const rows = [];
 const add = (
   /** @type {string} */ what,
@@ -65,10 +65,10 @@ const add = (
   unit = "",
 ) => rows.push({ what, to, ratio, limit, unit });
 
-/** Microseconds of this process' own time. */
+/** CPU time of this process, microseconds. */
 const cpu = () => process.cpuUsage().user + process.cpuUsage().system;
 
-/** How many times the time of another one a work takes: both by turns, the lower quartile of the turns. */
+/** Ratio of the times of two tasks, which run alternately; lower quartile of the rounds. */
 function ratio(
   /** @type {() => unknown} */ work,
   /** @type {() => unknown} */ other,
@@ -86,7 +86,7 @@ function ratio(
   return quartile(0) / quartile(1);
 }
 
-/** A job that both versions know. */
+/** A job that both versions support. */
 const job = (
   /** @type {string} */ type,
   /** @type {object} */ control = {},
@@ -128,7 +128,7 @@ const full = types.map(
     };
   },
 );
-// Each version with every value that it knows.
+// Each version gets every value that it supports.
 const own = full.map((/** @type {any} */ one) => {
   const whole = now.defaultJob(one.cycle.type);
   return { ...whole, control: { ...whole.control, post: one.control.post } };
@@ -170,7 +170,7 @@ add(
   0.9,
 );
 
-/** Milliseconds until a new process has the first plan. */
+/** Milliseconds from the start of a process to its first plan. */
 function cold(/** @type {string} */ folder) {
   const url = JSON.stringify(
     pathToFileURL(join(folder, "dist", "node.js")).href,
@@ -190,7 +190,7 @@ const least = (/** @type {number} */ k) =>
   Math.min(...starts.map((pair) => pair[k] ?? Number.NaN));
 add("import of the package and first plan", "0.2.0", least(0) / least(1), 0.9);
 
-/** kB in brotli that a first visit loads before its first answer: the page, what it asks for with itself, and the module. */
+/** Brotli kB that a first visit loads before its first answer: the page, its requests and the module. */
 function firstVisit() {
   const page = at("dist", "page");
   const html = readFileSync(join(page, "index.html"), "utf8");

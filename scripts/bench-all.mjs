@@ -1,4 +1,4 @@
-// The benchmarks, one after the other; `--against` compares this build with earlier versions instead, and fails where it is slower than it should be.
+// Runs the benchmarks one after the other. `--against` compares this build with earlier versions instead and fails if it is slower than its limits.
 import { at, run } from "./lib.mjs";
 
 const names = process.argv.includes("--against")

@@ -1,5 +1,5 @@
-// A first visit over slow lines: when its picture is seen, when its form and program can be read, and when the first key is answered. All connections
-// share one line, as a phone's do: its bytes a second, and a round trip for every request.
+// A first visit over slow lines: the times until its picture appears, until form and program can be read, and until the first key is answered. All connections
+// share one line, as on a phone: its bytes per second, and a round trip per request.
 import { mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
@@ -9,7 +9,7 @@ import { chromium } from "playwright-core";
 import { at, ensureChromium } from "./lib.mjs";
 import { addressOf, serve } from "./serve.mjs";
 
-/** Mbit a second, and milliseconds of a round trip. */
+/** Mbit per second, and milliseconds of a round trip. */
 const LINES = /** @type {const} */ ([
   [1.6, 150],
   [9, 60],
@@ -32,13 +32,13 @@ const launch = (/** @type {string[]} */ ...more) =>
     args: ["--no-sandbox", ...more],
   });
 const browser = await launch("--disable-gpu");
-// The peer draws by WebGL, without a GPU by its software, which holds up every other page.
+// The peer draws with WebGL. Without a GPU that runs in software, which delays every other page.
 const drawing = await launch(
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
 );
 
-/** The smallest page by which gcode-preview draws the moves of the first job; gives its folder. */
+/** Makes the smallest page on which gcode-preview draws the moves of the first job; returns its folder. */
 async function peerPage() {
   const { defaultJob, plan } = await import("touchpath");
   const { build } = await import("vite");
@@ -67,7 +67,7 @@ requestAnimationFrame(() => requestAnimationFrame(() => { globalThis.drawn = per
   return folder;
 }
 
-/** How long the peer's page takes until its moves are drawn. @param {string} url */
+/** Time until the peer's page has drawn the moves. @param {string} url */
 async function drawn(url) {
   const page = await drawing.newPage({
     viewport: { width: 1440, height: 900 },
@@ -85,7 +85,7 @@ async function drawn(url) {
   return time;
 }
 
-/** A line to a server. @param {import("node:http").Server} to @param {number} mbit @param {number} trip */
+/** A slow line to a server. @param {import("node:http").Server} to @param {number} mbit @param {number} trip */
 async function lineOf(to, mbit, trip) {
   const home = new URL(addressOf(to));
   const perMs = (mbit * 1e6) / 8 / 1000;
@@ -127,7 +127,10 @@ async function lineOf(to, mbit, trip) {
   return line;
 }
 
-/** The page of a first visit; gives the milliseconds from its beginning, and what had come by the answer. @param {string} url @param {{ bytes: number }} line */
+/**
+ * Opens the page for a first visit; returns the milliseconds from its start, and the bytes loaded before the answer. @param {string} url @param {{ bytes:
+ * number }} line
+ */
 async function visit(url, line) {
   const context = await browser.newContext({
     viewport: { width: 1440, height: 900 },
@@ -176,7 +179,7 @@ async function visit(url, line) {
   return { ...times, bytes };
 }
 
-/** How long an empty page takes to its first paint. @param {string} url */
+/** Time until the first paint of an empty page. @param {string} url */
 async function empty(url) {
   const page = await browser.newPage();
   await page.goto(url, { waitUntil: "commit" });
@@ -206,7 +209,7 @@ for (const [mbit, trip] of LINES) {
     await lineOf(blankServer, mbit, trip),
   ];
   const peerLine = await lineOf(peerServer, mbit, trip);
-  // A browser's first pages start its processes.
+  // The first pages of a browser start its processes.
   for (let i = 0; i < 2; i++) {
     await visit(line.url, line);
     await empty(blankLine.url);

@@ -1,5 +1,5 @@
-// Many jobs: the command over 100,000 of them, or as many as the first argument says, and the service under load beside a server that only sends the JSON back.
-// Everything stays on this machine. Times are of the clock: the ratio counts.
+// Many jobs: the command with 100,000 of them, or the number in the first argument, and the service under load next to a server that only returns the JSON.
+// Runs locally. Times are wall times; the ratio counts.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import {
@@ -24,13 +24,13 @@ const types = /** @type {const} */ ([
 ]);
 const jobs = types.map((type) => JSON.stringify(defaultJob(type)));
 
-/** What a process holds of the memory, MB. */
+/** Resident memory of a process, MB. */
 const resident = (/** @type {number | undefined} */ pid) =>
   Number(
     /VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, "utf8"))?.[1],
   ) / 1000;
 
-/** How many jobs the command gets: 100 at a time. */
+/** Number of jobs for the command, in batches of 100. */
 const COUNT =
   Math.max(1, Math.round(Number(process.argv[2] ?? 100_000) / 100)) * 100;
 
@@ -76,7 +76,7 @@ console.log(
 );
 for (const threads of [1, 2]) await command(threads);
 
-/** Requests a second, the time that 99 of 100 need at most, and the server's memory after it. */
+/** Requests per second, the 99th percentile of their times, and the server's memory afterwards. */
 async function load(
   /** @type {string[]} */ args,
   path = "/plan",

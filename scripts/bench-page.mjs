@@ -1,12 +1,12 @@
-// The page in Chromium: what a keystroke and a hover cost of its own work, until everything is updated, laid out and, in the next frame, drawn. The wait for
-// that frame does not count. Milliseconds of the browser's clock, so a busy machine shows: other builds of the page, given as folders, take turns with
-// this one, and what counts are the ratios to the first of them.
+// The page in Chromium: the page's own work for a keystroke and a hover until everything is updated, laid out and, in the next frame, drawn. Waiting for that
+// frame does not count. Times are wall times, so other load shows: other builds of the page, given as folders, run alternately with this one, and the ratios to
+// the first of them count.
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { at, ensureChromium } from "./lib.mjs";
 import { addressOf, serve } from "./serve.mjs";
 
-/** Twelve bores in a plate, beside each other. */
+/** Twelve bores in a plate, side by side. */
 const SET_UP = {
   format: 2,
   control: { post: "linuxcnc" },
@@ -17,7 +17,7 @@ const SET_UP = {
     origin: [40 * (k % 4), 40 * Math.floor(k / 4), 0],
   })),
 };
-/** A cycle type or a job, the field that is typed into, and its values. @type {[string | typeof SET_UP, string, number[]][]} */
+/** Cycle type or job, the edited field, and its values. @type {[string | typeof SET_UP, string, number[]][]} */
 const KEYS = [
   ["internal-rectangle-protected", "cycle.width1", [80, 81, 82.5]],
   ["double-wall-internal-corner", "cycle.rotation", [0, 5, 10]],
@@ -26,21 +26,21 @@ const KEYS = [
 ];
 const nameOf = (/** @type {string | typeof SET_UP} */ what) =>
   typeof what === "string" ? what : "set-up of 12 bores";
-/** How often the pages take turns, and how many keys and hovers a turn has; a first turn warms up. */
+/** Number of turns, and keys and hovers per turn. The first turn is a warm-up. */
 const [TURNS, KEYS_A_TURN, HOVERS_A_TURN] = [6, 30, 40];
 
-/** A page of a folder, and what it costs. */
+/** Opens the page of a folder and counts its work. */
 async function opened(
   /** @type {import("playwright-core").Browser} */ browser,
   /** @type {string} */ folder,
 ) {
   const server = await serve(0, folder);
-  // In millimetres, as the values are.
+  // In millimetres, like the values.
   const page = await browser.newPage({
     viewport: { width: 1440, height: 900 },
     locale: "en-GB",
   });
-  // What the page does in its frames, milliseconds.
+  // Work of the page in its frames, milliseconds.
   await page.addInitScript(() => {
     const own = /** @type {any} */ (globalThis);
     const frame = requestAnimationFrame.bind(globalThis);
@@ -69,7 +69,7 @@ async function opened(
   return { folder, page, counts, close: () => server.close() };
 }
 
-/** A turn of a page: milliseconds of keys and of hovers, and layouts and style passes a key. Null if the page takes no job. */
+/** One turn of a page: milliseconds per key and per hover, layouts and style passes per key. Null if the page rejects the job. */
 async function turn(
   /** @type {Awaited<ReturnType<typeof opened>>} */ { page, counts },
   /** @type {(typeof KEYS)[number]} */ [type, field, values],
@@ -137,7 +137,7 @@ async function turn(
           await settled();
           document.body.getBoundingClientRect();
           const spent = performance.now() - start;
-          // Frames that were asked for before this one have been by then.
+          // Earlier requests for this frame have run by then.
           await new Promise((done) => own.nextFrame(() => setTimeout(done)));
           times.push(spent + own.inFrames);
         }
@@ -153,7 +153,7 @@ async function turn(
   return {
     keys,
     hovers: (await act("hover", HOVERS_A_TURN)) ?? [],
-    // One of them is asked for here, where the page would have its own in the next frame.
+    // This requests the frame that the page would use anyway.
     layouts: (after.layouts - before.layouts) / KEYS_A_TURN,
     styles: (after.styles - before.styles) / KEYS_A_TURN,
   };
@@ -163,10 +163,7 @@ const quantile = (/** @type {number[]} */ list, /** @type {number} */ share) =>
   [...list].sort((a, b) => a - b)[Math.floor(list.length * share)] ??
   Number.NaN;
 
-/**
- * This page and others, given as folders, by turns. Prints what they cost; gives, by the type of the cycle, the ratios of a key and of a hover to the first
- * other page.
- */
+/** Compares this page with others, given as folders. Prints the times; returns, by cycle type, the ratios of a key and a hover to the first other page. */
 export async function comparePages(/** @type {string[]} */ ...others) {
   const args = ["--no-sandbox", "--disable-gpu"];
   const browser = await chromium.launch({

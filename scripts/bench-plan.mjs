@@ -1,6 +1,5 @@
-// Form edit to whole plan: natively and in WebAssembly, few touches and many, nominal part and another; and the wasm's size.
-// In WebAssembly times are of the
-// process itself, lower quartiles; natively of the clock. What counts are the ratios, all of one run on one machine.
+// From a form edit to the whole plan: natively and in WebAssembly, with few touches and many, on the nominal and another part; also the size of the module.
+// WebAssembly times are CPU times of the process, lower quartiles; native times are wall times. Only ratios within one run count.
 import {
   mkdtempSync,
   readdirSync,
@@ -46,7 +45,7 @@ const corner = (
     ? { part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { angle: 0.1 } } }
     : {}),
 });
-/** As many bores in one program, in rows of ten. */
+/** This many bores in one program, in rows of ten. */
 const bores = (/** @type {number} */ count) => ({
   format: 2,
   control: { post: "linuxcnc", workOffset: 1 },
@@ -86,13 +85,13 @@ const jobs = {
   "a set-up of 50 bores": bores(50),
 };
 
-/** Microseconds of this process' own time: a loaded machine hardly matters. */
+/** CPU time of this process, microseconds: other load hardly matters. */
 const cpu = () => {
   const { user, system } = process.cpuUsage();
   return user + system;
 };
 
-/** Microseconds of a call of each, the lower quartile of 21 rounds. They take turns: what slows the machine for a while slows them all. */
+/** Microseconds per call of each task, lower quartile of 21 rounds. The tasks alternate, so a slow phase of the machine affects all. */
 function times(/** @type {(() => unknown)[]} */ works, calls = 100) {
   for (const work of works) for (let i = 0; i < 3 * calls; i++) work();
   /** @type {number[][]} */
@@ -129,8 +128,8 @@ const native = new Map(
 );
 
 /**
- * What reading back and proving costs in instructions, which no load of the machine changes. Warm: the same program was read before, as at an edit. A
- * series: other sizes every time, so that some lines are new. Cold: the first program of a process.
+ * Cost of reading back and proving, in instructions, which do not depend on the machine's load. Warm: the same program was read before, as after an edit.
+ * Series: other sizes every time, so some lines are new. Cold: the first program of a process.
  */
 function countInstructions() {
   console.log(
@@ -316,7 +315,7 @@ for (const [name, job] of Object.entries(jobs)) {
   console.log(name.padEnd(26), ...cells);
 }
 
-// What a command or a server pays once: everything is new.
+// Cost that a command or server pays once: everything is new.
 const first = `const start = performance.now(); const { plan } = await import(${JSON.stringify(pathToFileURL(at("dist", "node.js")).href)});
   const loaded = performance.now(); plan(JSON.parse(process.argv[1])); console.log(loaded - start, performance.now() - loaded);`;
 console.log(
@@ -378,7 +377,7 @@ ratio(
   "type 7, 4 touches",
 );
 
-// Calls of native cycles: calls and their path, a run on the displaced part, the program. The same job as LinuxCNC's moves is 1.
+// Calls of native cycles: calls and their path, a run on the displaced part, the program. The same job as moves of LinuxCNC is 1.
 console.log(
   "\nOwn cycles, plan / plan of LinuxCNC's moves, wasm   type 7   hole   web",
 );
@@ -411,7 +410,7 @@ for (const { id, cycles } of catalog().posts) {
   console.log(id.padEnd(50), ...cells);
 }
 
-// Every type of the family against its number of touches, in WebAssembly. A corner needs two, one a wall.
+// Every type of the family by its number of touches, in WebAssembly. A corner needs two, one per wall.
 const counted = (
   /** @type {import("touchpath").CycleEntry} */ cycle,
   /** @type {number} */ n,
@@ -475,7 +474,7 @@ const others = {
 for (const [name, work] of Object.entries(others))
   console.log(name.padEnd(36), time(work).toFixed(1).padStart(8));
 
-// Many jobs, each with every value, for LinuxCNC and SINUMERIK by turns: what a server does.
+// Many jobs, each with every value, alternately for LinuxCNC and SINUMERIK: the load of a server.
 const kinds = catalog().cycles.filter((c) => (c.number ?? 0) > 1);
 const full = kinds.map(({ type }, i) => ({
   ...defaultJob(type),
@@ -565,7 +564,7 @@ for (const lines of [50, 1000, 10_000, 100_000]) {
   );
 }
 
-// The same natively, beside two crates that give a program's words.
+// The same natively, next to two crates that split a program into words.
 console.log(
   "\nNatively, µs of the clock: Touchpath's moves, and by how much that is faster than the words of the crates gcode and g-code",
 );
@@ -596,7 +595,7 @@ for (const lines of [50, 1000, 10_000, 100_000]) {
 }
 rmSync(folder, { recursive: true });
 
-/** What takes half a second is timed three times. */
+/** Tasks of half a second are timed three times. */
 function once(/** @type {() => unknown} */ work) {
   const rounds = [0, 1, 2].map(() => {
     const start = cpu();
@@ -606,7 +605,7 @@ function once(/** @type {() => unknown} */ work) {
   return Math.min(...rounds);
 }
 
-/** What version 0.2.0 had before jobs and plans crossed in one piece; its page had the whole module. */
+/** Sizes of version 0.2.0, before jobs and plans were passed in one piece. Its page had the whole module. */
 const BEFORE = {
   raw: 988_298,
   gzip: 411_649,
@@ -617,7 +616,7 @@ const BEFORE = {
 const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
 const gzip = (/** @type {Buffer} */ file) =>
   gzipSync(file, { level: 9 }).length;
-// Loaded only where they are wanted: a language's words, the editor of opened programs and the worker that reads long texts.
+// Loaded on demand: the words of a language, the editor of opened programs and the worker for long texts.
 const rare = [
   ...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")),
   "program-editor-",
@@ -650,7 +649,7 @@ for (const [name, size] of Object.entries(sizes)) {
   );
 }
 
-// By the names of the functions: what is shared, such as collections and formatting, is the rest. Mazak, Brother, Hurco and Okuma are entries of `renishaw`.
+// By function names: shared code such as collections and formatting is the rest. Mazak, Brother, Hurco and Okuma are rows of `renishaw`.
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
 const built = rooms(
   readFileSync(

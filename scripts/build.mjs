@@ -1,4 +1,4 @@
-// Builds the package into dist/ and the page into dist/page/: what is published. `--quick` builds what works alike on this machine, in a fraction of the
+// Builds the package into dist/ and the page into dist/page/, as they are published. `--quick` makes an equivalent build for this machine in a fraction of the
 // time: without link-time optimization, and with the module in one part.
 import { createHash } from "node:crypto";
 import {
@@ -32,21 +32,21 @@ import { trapPanics } from "./panics.mjs";
 import { split, unnamed } from "./split.mjs";
 import { webTypes } from "./web-types.mjs";
 
-/** What wasm-bindgen calls the module. */
+/** wasm-bindgen's name of the module. */
 const MODULE = "touchpath_bg.wasm";
 
-/** Where cargo builds the module: `wasm-pack build` takes it from there. */
+/** Target folder of the module: `wasm-pack build` reuses it. */
 export const targetOf = (/** @type {string} */ folder) =>
   join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
 
 const profileOf = (/** @type {boolean} */ quick) =>
   quick ? "quick" : "release";
 
-/** Where the module and its bindings are, with the names of its functions. */
+/** Folder of the module and its bindings, with the names of its functions. */
 const bindingsOf = (/** @type {boolean} */ quick) =>
   join(targetOf("wasm"), `bindings-${profileOf(quick)}`);
 
-/** Compiles the crate to a module, by a profile of Cargo.toml; gives its path. */
+/** Compiles the crate to a module with a profile of Cargo.toml; returns its path. */
 async function compile(/** @type {string} */ profile) {
   const target = targetOf("wasm");
   await beside("cargo", [
@@ -64,7 +64,7 @@ async function compile(/** @type {string} */ profile) {
   return `${target}/wasm32-unknown-unknown/${profile}/touchpath.wasm`;
 }
 
-/** The module and its bindings; gives the folder they are in. Needs no package of npm. */
+/** Makes the module and its bindings; returns their folder. Needs no npm package. */
 export async function compileModule(/** @type {boolean} */ quick) {
   ensureTarget();
   const [bindings, module] = await Promise.all([
@@ -77,11 +77,11 @@ export async function compileModule(/** @type {boolean} */ quick) {
   return out;
 }
 
-/** Makes a module small for its way to the browser. */
+/** Shrinks the module for the download. */
 async function optimize(/** @type {string} */ wasm) {
   await trapPanics(wasm);
-  // Judged by what is sent, not by the module: inlining, packed memory and shared expressions make it smaller and its compressed bytes more. Jumps are
-  // laid out anew from flat code, which compresses better. Functions of one name's beginning are alike and compress best side by side.
+  // The compressed size counts: inlining, packed memory and shared expressions make the module smaller but its compressed bytes larger. Jumps are rebuilt from
+  // flat code, which compresses better. Functions whose names start alike are similar and compress best next to each other.
   const passes = [
     "--flatten",
     "--rereloop",
@@ -89,7 +89,7 @@ async function optimize(/** @type {string} */ wasm) {
     "-O3",
     "--reorder-functions-by-name",
   ];
-  // First, what became small or unused with the messages of panics is put where it is called.
+  // First, functions that have become small or unused without panic messages are inlined.
   const inline = [
     "--dae-optimizing",
     "--inlining",
@@ -109,7 +109,7 @@ async function optimize(/** @type {string} */ wasm) {
     "simplify-locals",
   ];
   const skip = skipped.map((pass) => `--skip-pass=${pass}`);
-  // The first kilobyte is the far end of the stack, which the linker puts first: no address is computed from below it.
+  // The first kilobyte is the far end of the stack, which the linker puts first: no address below it is computed.
   const assume = ["--low-memory-unused"];
   const optimizer = at("node_modules", "binaryen", "bin", "wasm-opt");
   await beside("node", [
@@ -118,7 +118,7 @@ async function optimize(/** @type {string} */ wasm) {
     ...passes,
     ...skip,
     ...assume,
-    // The names say where it is split.
+    // The split uses the names.
     "-g",
     wasm,
     "-o",
@@ -126,7 +126,7 @@ async function optimize(/** @type {string} */ wasm) {
   ]);
 }
 
-/** The module without its names, optimized unless it is for this machine, into www/core/wasm/. */
+/** Writes the module without its names into www/core/wasm/, optimized unless the build is quick. */
 export async function writeModule(
   /** @type {string} */ folder,
   /** @type {boolean} */ quick,
@@ -137,7 +137,7 @@ export async function writeModule(
   cpSync(folder, out, { recursive: true });
   if (!quick)
     writeFileSync(join(out, MODULE), await unnamed(readFileSync(module)));
-  // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
+  // The generated types use Symbol.dispose, which only the newest `lib` declares; strict compilers of users would fail.
   const types = `${out}/touchpath.d.ts`;
   const plain = readFileSync(types, "utf8").replaceAll(
     /^ *\[Symbol\.dispose\]\(\): void;\n/gm,
@@ -154,7 +154,7 @@ export async function writeModule(
   writeFileSync(`${out}/inline.d.ts`, "export const base64: string;\n");
 }
 
-/** A module that comes in two parts is joined in every instance that is made of it. */
+/** A module in two parts is joined in every instance. */
 function writeJoin(/** @type {string} */ script) {
   const source = readFileSync(script, "utf8");
   const begins =
@@ -166,7 +166,7 @@ function writeJoin(/** @type {string} */ script) {
     script,
     `${source.replace(begins, begins + joins)}
 let rest;
-/** Joins the rest of the module to its first part, now and whenever an instance is made. */
+/** Joins the second part of the module to the first, now and in every new instance. */
 export function join(module) {
     new WebAssembly.Instance(module, { p: wasm });
     rest = module;
@@ -175,7 +175,7 @@ export function join(module) {
   );
 }
 
-/** The first part of the module and its rest, for the page; in a quick build all is in the first. */
+/** Writes the two parts of the module for the page; in a quick build the first part has everything. */
 export async function writeParts(/** @type {boolean} */ quick) {
   const module = readFileSync(join(bindingsOf(quick), MODULE));
   const { first, rest } = quick
@@ -185,14 +185,14 @@ export async function writeParts(/** @type {boolean} */ quick) {
   writeFileSync(at("www", "core", "wasm", "rest.wasm"), rest);
 }
 
-/** What frameworks know of the element. */
+/** Types of the element for frameworks. */
 const TYPES = ["attributes.d.ts", "svelte.d.ts", "vue.d.ts"];
 
-/** The package but for what is bundled into it. */
+/** Builds the package except for its bundles. */
 async function buildCore() {
   rmSync(at("dist"), { recursive: true, force: true });
   await npx("tsc", "-p", "tsconfig.package.json");
-  // The parts of the module are the page's alone.
+  // Only the page uses the parts of the module.
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), {
     recursive: true,
     filter: (path) => !/(first|rest)\.wasm$/.test(path),
@@ -213,7 +213,7 @@ async function buildCore() {
     cpSync(at("www", "words", name), at("dist", "words", name));
 }
 
-/** The types of the elements, by the names of their files: only their own, the rest is the core's. */
+/** Types of the elements by file name: only their own, the core has the rest. */
 async function elementTypes() {
   const types = mkdtempSync(join(tmpdir(), "touchpath-"));
   await npx("tsc", "-p", "tsconfig.element.json", "--outDir", types);
@@ -229,7 +229,7 @@ async function elementTypes() {
   return Object.fromEntries(own);
 }
 
-/** What is bundled: the element, with its types and its manifest, and the command; and the licences of all that is in them. */
+/** Builds the bundles: the element with its types and manifest, the command, and the licences of their contents. */
 async function buildBundles() {
   const vite = (/** @type {string} */ config) =>
     npx("vite", "build", "--config", config, "--logLevel", "warn");
@@ -264,12 +264,12 @@ async function buildBundles() {
   );
 }
 
-/** The JSON Schemas of a job, of a config and of what is answered, as files. */
+/** Writes the JSON Schemas of a job, a config and the answers. */
 async function writeSchema() {
   const { catalog, jobSchema } = await import(
     pathToFileURL(at("dist", "node.js")).href
   );
-  // Its package is installed by the build itself.
+  // The build itself installs its package.
   const { answerSchema } = await import("./answer-schema.mjs");
   const write = (/** @type {string} */ name, /** @type {unknown} */ schema) =>
     writeFileSync(at("dist", name), `${JSON.stringify(schema, null, 2)}\n`);
@@ -278,7 +278,7 @@ async function writeSchema() {
   write("config.schema.json", configSchema(catalog(), jobSchema()));
 }
 
-/** The service worker with the names of all files of the page, and a version that is theirs. */
+/** Writes the service worker with the names of all files of the page and their common version. */
 function writeWorker() {
   const page = at("dist", "page");
   const files = readdirSync(page, { recursive: true, encoding: "utf8" })
@@ -311,21 +311,21 @@ function writeWorker() {
   writeFileSync(join(page, "sw.js"), worker);
 }
 
-/** Vite writes the licences of the JavaScript that it bundles; the module's are put beneath them. */
+/** Vite writes the licences of the bundled JavaScript; those of the module are appended. */
 async function buildPage() {
   await npx("vite", "build", "--logLevel", "warn");
   appendFileSync(at("dist", "page", "licences.txt"), `\n${crateLicences()}`);
   writeWorker();
 }
 
-/** The package and the page from a module that is there; the page from its parts. */
+/** Builds the package and the page from an existing module; the page from its parts. */
 export async function buildPackage(parts = async () => {}) {
   await buildCore();
-  // The manifest is the page's own affair, and the schemas are the core's: none waits for another.
+  // The manifest belongs to the elements and the schemas to the core: neither waits for the other.
   await Promise.all([buildBundles(), writeSchema(), parts().then(buildPage)]);
 }
 
-/** The sizes of the module, as it is sent. */
+/** Prints the compressed sizes of the module. */
 export function printSizes() {
   const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
   const kB = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1)} kB`;
@@ -334,7 +334,7 @@ export function printSizes() {
   );
 }
 
-/** Everything: for who publishes it, or quickly for this machine. */
+/** Builds everything, for publication or quickly for this machine. */
 export async function build({ quick = false } = {}) {
   const [folder] = await stage("Packages and WebAssembly", () =>
     Promise.all([compileModule(quick), ensurePackages()]),

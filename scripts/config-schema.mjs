@@ -1,4 +1,4 @@
-// The JSON Schema of a config: its structure, with the lists of the catalog and the sections of a job. Which values a field takes only `checkConfig` knows.
+// JSON Schema of a config: its structure, with the lists of the catalog and the sections of a job. Only `checkConfig` knows the values that a field accepts.
 
 /** @typedef {Record<string, unknown>} Schema */
 

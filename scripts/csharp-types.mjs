@@ -1,4 +1,4 @@
-// The types of what comes out, for C#, from the package's schema: `node scripts/csharp-types.mjs` writes examples/csharp/TouchpathTypes.cs.
+// Types of the answers for C#, from the package's schema: `node scripts/csharp-types.mjs` writes examples/csharp/TouchpathTypes.cs.
 import { readFileSync, writeFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 
@@ -15,7 +15,7 @@ const PLAIN = /** @type {Record<string, string>} */ ({
 });
 
 /**
- * The class, or the type, of a part of the schema; what can be several types, or is made of itself, is an object.
+ * The class or type of a part of the schema. A union or a recursive type is an object.
  * @param {Schema} part
  * @param {Record<string, Schema>} all
  * @param {string[]} inside the names of the definitions around it
@@ -57,7 +57,7 @@ function typeOf(part, all, inside = []) {
 
 const escaped = (/** @type {string} */ text) =>
   text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-/** A text as the summary of what follows. @param {string | undefined} text @param {string} indent */
+/** A text as the summary of the next declaration. @param {string | undefined} text @param {string} indent */
 const summary = (text, indent) =>
   text
     ? [
@@ -65,7 +65,7 @@ const summary = (text, indent) =>
       ]
     : [];
 
-/** All of it. */
+/** All types as text. */
 export function csharpTypes() {
   const { $defs } = /** @type {{ $defs: Record<string, Schema> }} */ (
     JSON.parse(readFileSync(at("dist", "answers.schema.json"), "utf8"))

@@ -1,6 +1,6 @@
-// What a WebAssembly module is made of.
+// Analyses the functions of a WebAssembly module.
 
-/** The functions of a module that still says their names, with their bytes, largest first. */
+/** Functions of a module with names, with their bytes, largest first. */
 export function functions(/** @type {Buffer} */ wasm) {
   let i = 8;
   const number = () => {
@@ -32,7 +32,7 @@ export function functions(/** @type {Buffer} */ wasm) {
         text();
         const kind = number();
         if (kind === 0) imported++;
-        // A global has its type and whether it changes; a table a type in front of its limits.
+        // A global has a type and its mutability; a table has a type in front of its limits.
         if (kind === 1 || kind === 3) number();
         const limits = number();
         if (kind === 1 || kind === 2)
@@ -76,7 +76,7 @@ const FOLDERS = new Set([
   "sinumerik",
 ]);
 
-/** The bytes of code of each room of the crate, and of each control, largest first: of a module as the compiler left it. */
+/** Code bytes of each folder of the crate and each control, largest first, for a module as the compiler left it. */
 export function rooms(/** @type {Buffer} */ wasm) {
   /** @type {Map<string, number>} */
   const sums = new Map();
@@ -85,7 +85,7 @@ export function rooms(/** @type {Buffer} */ wasm) {
       /touchpath\W+([a-z_]+)\W+([a-z_0-9]+)/.exec(
         name.replaceAll("..", "::"),
       ) ?? [];
-    // A control is a folder; files beside the folders belong to all of them.
+    // A control is a folder; files next to the folders belong to all controls.
     const named =
       room === "control" && FOLDERS.has(inner) ? `control::${inner}` : room;
     sums.set(named, (sums.get(named) ?? 0) + size);

@@ -1,4 +1,4 @@
-// What the scripts share: running commands, timing stages, and setting up what a machine lacks. Node built-ins only.
+// Shared by the scripts: running commands, timing stages, installing missing tools. Uses Node built-ins only.
 import { spawn, spawnSync } from "node:child_process";
 import {
   existsSync,
@@ -21,11 +21,11 @@ export const at = (/** @type {string[]} */ ...parts) => join(root, ...parts);
 
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
 const tools = join(target, "tools");
-/** What ran, and for how many seconds. @type {[string, number][]} */
+/** Finished stages, and their seconds. @type {[string, number][]} */
 const stages = [];
 
 /**
- * Runs a command; what it prints is seen. Ends the script where the command fails.
+ * Runs a command and shows its output. Ends the script if the command fails.
  * @param {string} command
  * @param {string[]} args
  * @param {{ env?: Record<string, string | undefined>, cwd?: string, quiet?: boolean }} [options]
@@ -52,7 +52,7 @@ export function run(
   return done.stdout ?? "";
 }
 
-/** Runs a command beside others: as `run`, but what it prints may be mixed with what they print. */
+/** Runs a command in parallel with others, like `run`; their output may be mixed. */
 export async function beside(
   /** @type {string} */ command,
   /** @type {string[]} */ args,
@@ -65,11 +65,11 @@ export async function beside(
   if (code !== 0) failed(command, args, `exit ${code}`);
 }
 
-/** A command of npm's packages, as `beside`. */
+/** Runs a command of an npm package, like `beside`. */
 export const npx = (/** @type {string[]} */ ...args) =>
   beside("npx", ["--no-install", ...args]);
 
-/** Ends the script with the command that failed. @returns {never} */
+/** Ends the script and names the command that failed. @returns {never} */
 function failed(
   /** @type {string} */ command,
   /** @type {string[]} */ args,
@@ -80,7 +80,7 @@ function failed(
   process.exit(1);
 }
 
-/** The laws asked of random jobs: a quarter of them the same every time, the rest fresh. Ends the script where one breaks a law. */
+/** Checks the laws with random jobs: a quarter of them are always the same, the rest fresh. Ends the script if a job breaks a law. */
 export function fuzz(
   /** @type {number} */ jobs,
   /** @type {Record<string, string>} */ seed = {},
@@ -91,7 +91,7 @@ export function fuzz(
   });
 }
 
-/** Whether a command is there and works. */
+/** Whether a command exists and works. */
 export function works(
   /** @type {string} */ command,
   args = ["--version"],
@@ -106,7 +106,7 @@ export function works(
 }
 
 /**
- * Runs a stage and remembers how long it took.
+ * Runs a stage and notes its duration.
  * @template T
  * @param {string} name
  * @param {() => T | Promise<T>} work
@@ -121,7 +121,7 @@ export async function stage(name, work) {
   return result;
 }
 
-/** Prints every stage's time. */
+/** Prints the duration of every stage. */
 export function summary() {
   if (stages.length === 0) return;
   console.log("\nStages:");
@@ -131,7 +131,7 @@ export function summary() {
   console.log(`  ${whole.toFixed(1).padStart(7)} s  in all`);
 }
 
-/** npm's packages, as package-lock.json says. */
+/** Installs the npm packages of package-lock.json. */
 export async function ensurePackages() {
   const marker = at("node_modules", ".package-lock.json");
   const fresh =
@@ -141,7 +141,7 @@ export async function ensurePackages() {
     await beside("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
 }
 
-/** Rust's WebAssembly target. */
+/** Installs Rust's WebAssembly target. */
 export function ensureTarget() {
   const name = "wasm32-unknown-unknown";
   const sysroot = run("rustc", ["--print", "sysroot"], { quiet: true }).trim();
@@ -149,7 +149,7 @@ export function ensureTarget() {
     run("rustup", ["target", "add", name]);
 }
 
-/** The oldest Rust that the crate says it takes, by `rust-version` in Cargo.toml; gives its version. */
+/** Installs the oldest supported Rust, `rust-version` in Cargo.toml; returns its version. */
 export function ensureOldestRust() {
   const version =
     /^rust-version = "(.+)"$/m.exec(
@@ -175,7 +175,7 @@ export function ensureOldestRust() {
   return version;
 }
 
-/** A workspace member that works on WebAssembly modules, built beside the crate; gives the folder of its commands. */
+/** Builds a workspace member for WebAssembly modules next to the crate; returns the folder of its commands. */
 async function ensureTool(/** @type {string} */ name) {
   const folder = join(tools, "build");
   await beside("cargo", [
@@ -194,15 +194,15 @@ async function ensureTool(/** @type {string} */ name) {
 export const ensureBindings = async () =>
   join(await ensureTool("touchpath-tools"), "bindings");
 
-/** wasm-bindgen and its test runner, for wasm-pack; gives the folder they are in. */
+/** wasm-bindgen and its test runner for wasm-pack; returns their folder. */
 export const ensureBindgen = () => ensureTool("touchpath-wasm-pack-tools");
 
-/** wasm-pack; gives the folder it is in. */
+/** wasm-pack; returns its folder. */
 export function ensureWasmPack() {
   if (works("wasm-pack")) return "";
   const folder = join(tools, "bin");
   if (!works(join(folder, "wasm-pack"))) {
-    // It runs for a second: built for speed, or with debug info, it would take longer than it saves.
+    // It runs for a second: a release build or debug info would take longer than it saves.
     run(
       "cargo",
       [
@@ -222,7 +222,7 @@ export function ensureWasmPack() {
   return folder;
 }
 
-/** apt-get, for root or a user with sudo. */
+/** Runs apt-get, as root or with sudo. */
 function apt(/** @type {string[]} */ ...args) {
   const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
   const [command, ...rest] = [...sudo, "apt-get", ...args];
@@ -233,7 +233,7 @@ function apt(/** @type {string[]} */ ...args) {
 }
 
 let updated = false;
-/** A new machine has no lists of packages, and old lists name files that are gone. */
+/** A new machine has no package lists, and old lists contain files that no longer exist. */
 function aptUpdate() {
   if (!updated) apt("update");
   updated = true;
@@ -246,7 +246,7 @@ function aptInstall(/** @type {string[]} */ ...packages) {
   apt("install", "-y", "--no-install-recommends", ...packages);
 }
 
-/** The first of these commands that works; one that is named by this variable goes first. */
+/** The first of these commands that works; the one in this variable takes precedence. */
 const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
   [process.env[variable], ...names].find((name) => name && works(name));
 const findChromium = () =>
@@ -260,7 +260,7 @@ const webKit = () => ({
 const hasWebKit = () =>
   works(webKit().screen, ["--help"]) && works(webKit().driver, ["--help"]);
 
-/** What tests need of Debian's packages, installed at once: browsers, their drivers, LinuxCNC's interpreter. */
+/** Installs the tests' Debian packages together: browsers, their drivers, LinuxCNC's interpreter. */
 export function ensureDebianPackages() {
   const missing = [];
   if (!findChromium() || !findChromedriver())
@@ -272,7 +272,7 @@ export function ensureDebianPackages() {
   ensureInterpreter();
 }
 
-/** The browser without windows, in which a page opens in half the time; Chromium itself where no package has it, or it is named by CHROMIUM. */
+/** The headless shell, in which a page opens in half the time; Chromium itself if no package has the shell, or if CHROMIUM is set. */
 function ensureShell(/** @type {string} */ browser) {
   const name = "chromium-headless-shell";
   if (process.env.CHROMIUM) return browser;
@@ -294,7 +294,7 @@ function ensureShell(/** @type {string} */ browser) {
   return works(name) ? absolute(name) : browser;
 }
 
-/** Chromium, its driver, and what the page's tests run in; gives the paths. */
+/** Chromium, its driver and the browser for the page's tests; returns their paths. */
 export function ensureChromium() {
   if (!findChromium() || !findChromedriver())
     aptInstall("chromium", "chromium-driver");
@@ -310,7 +310,7 @@ export function ensureChromium() {
   };
 }
 
-/** Firefox and its driver, which no Debian package has. */
+/** Firefox and its driver, which Debian does not package. */
 export function ensureFirefox() {
   if (!findFirefox()) aptInstall("firefox-esr");
   const own = join(tools, "gecko");
@@ -336,7 +336,7 @@ export function ensureFirefox() {
   return { browser: absolute(browser), driver: absolute(driver) };
 }
 
-/** The driver of WebKit, and a screen that nobody sees for it. */
+/** The driver of WebKit, and a virtual screen for it. */
 export function ensureWebKit() {
   if (!hasWebKit()) aptInstall("webkit2gtk-driver", "xvfb", "xauth");
   if (!hasWebKit())
@@ -355,7 +355,7 @@ function absolute(/** @type {string} */ command) {
   return places.find((path) => existsSync(path)) ?? command;
 }
 
-/** LinuxCNC's own interpreter, taken out of Debian's package without installing it; gives the command. */
+/** LinuxCNC's interpreter, extracted from Debian's package without installing it; returns the command. */
 export function ensureInterpreter() {
   if (process.env.RS274) return process.env.RS274;
   const folder = join(tools, "linuxcnc");

@@ -1,11 +1,11 @@
-// The licences of the crates that are in the WebAssembly module: their notices go where the module goes.
+// Licences of the crates in the WebAssembly module, whose notices are distributed with it.
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { run } from "./lib.mjs";
 
 /** @typedef {{ id: string, name: string, version: string, license: string | null, manifest_path: string, targets: { kind: string[] }[] }} Crate */
 
-/** The crates that touchpath is made of, and what they are made of in turn; not what only builds them. */
+/** The crates that touchpath depends on, directly and indirectly, without build dependencies. */
 function crates() {
   const args = [
     "metadata",

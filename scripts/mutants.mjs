@@ -1,5 +1,5 @@
-// Puts faults into a copy of the tree and looks whether the tests that are named for them fail: `npm run mutants`, or with parts of names only those.
-// The faults are in tests/mutants/. One whose text is gone fails the run, so the list stays alive.
+// Puts faults into a copy of the tree and checks that the tests named for them fail: `npm run mutants`, or only those with the given parts of names. The faults
+// are in tests/mutants/. A fault whose text no longer exists fails the run, so the list stays current.
 import { spawnSync } from "node:child_process";
 import {
   copyFileSync,
@@ -14,15 +14,15 @@ import { dirname, join, relative } from "node:path";
 import { at, ensureInterpreter, ensurePackages, run } from "./lib.mjs";
 
 /**
- * A fault: in this file, the first text becomes the second, and the test must fail: `safety::a_name` of the crate, or `package/store.test.mjs: a name`.
+ * A fault: in this file the first text is replaced by the second, and the test must fail: `safety::a_name` of the crate, or `package/store.test.mjs: a name`.
  * @typedef {{ name: string, file: string, old: string, new: string, test: string }} Mutant
  */
 
-/** How many faults are put in at once, each in a file of its own. A test that fails for another one's fault would be seen as theirs: rooms take turns. */
+/** Number of faults at a time, each in a file of its own. A test that fails because of another fault would be counted for its own, so the folders alternate. */
 const AT_ONCE = 8;
 
 const parts = process.argv.slice(2);
-/** By their rooms. */
+/** Faults by folder. */
 const rooms = readdirSync(at("tests", "mutants"))
   .filter((name) => name.endsWith(".json"))
   .map(
@@ -41,7 +41,7 @@ const mutants = Array.from({ length: most }, (_, turn) =>
       parts.length === 0 || parts.some((part) => name.includes(part)),
   );
 
-/** What is wrong with the list itself. */
+/** Errors in the list itself. */
 function faults() {
   const gone = mutants.filter(
     ({ file, old }) =>
@@ -70,7 +70,10 @@ const env = {
   CI: "1",
 };
 
-/** The tree as git sees it, copied where it changed: cargo and its caches take the rest as it was. Its packages are its own: npm would empty a folder that is linked. */
+/**
+ * Copies the tree that git knows. Only changed files are copied, so cargo and its caches reuse the rest. It has its own npm packages: npm would empty a linked
+ * folder.
+ */
 function copy() {
   const listed = run(
     "git",
@@ -80,7 +83,7 @@ function copy() {
   const files = listed
     .split("\0")
     .filter((name) => name && existsSync(at(name)));
-  // What is gone here would be compiled there.
+  // A file that was removed here would still be compiled there.
   for (const folder of ["src", "tests"].filter((name) =>
     existsSync(join(tree, name)),
   )) {
@@ -111,7 +114,7 @@ const command = (/** @type {string} */ name, /** @type {string[]} */ args) =>
 
 const isNode = (/** @type {Mutant} */ { test }) => test.includes(".mjs");
 
-/** Builds what the tests of these faults run on. Gives what a compiler said where it refused. */
+/** Builds what the tests of these faults need. Returns the compiler's output if it fails. */
 function build(/** @type {Mutant[]} */ batch) {
   const steps = [];
   if (batch.some((mutant) => !isNode(mutant)))
@@ -123,7 +126,7 @@ function build(/** @type {Mutant[]} */ batch) {
   return steps.find(({ status }) => status !== 0)?.stderr ?? "";
 }
 
-/** Whether a test passes; null where there is none of this name. */
+/** Whether a test passes; null if there is none with this name. */
 function passes(/** @type {string} */ test) {
   const [file = "", name] = test.split(".mjs: ");
   if (!name) {

@@ -1,26 +1,25 @@
-// A panic in WebAssembly is an `unreachable`: its message has no place to be written to, and costs bytes.
+// Removes panic messages. A panic in WebAssembly is an `unreachable`: its message cannot be printed and only costs bytes.
 import { readFileSync, writeFileSync } from "node:fs";
 
-/** The functions of Rust's libraries that only make a panic's message and never return. */
+/** Functions of Rust's libraries that only build a panic message and never return. */
 const PANICS = [
   /^core(\[\w+\])?::(panicking::|slice::index::slice_index_fail|option::(unwrap|expect)_failed|result::unwrap_failed|cell::panic_|str::slice_error_fail)/,
   /^alloc(\[\w+\])?::(raw_vec::(handle_error|capacity_overflow)|alloc::handle_alloc_error)/,
   /^<?std(\[\w+\])?::panicking::(panic_handler|panic_with_hook|begin_panic)/,
 ];
 
-/** With another compiler functions and places may look otherwise: the module works as well and is larger, and the build says why. */
+/**
+ * Expected minimum of matches. Another compiler may use other functions and source locations: the module then works but is larger, and the build prints a note.
+ */
 const FEWEST = { functions: 8, places: 200 };
 
 /**
- * What binaryen has and its types leave out.
+ * Parts of binaryen that its types omit.
  * @typedef {{Function: {setBody(fn: unknown, body: unknown): void}}} Bodies
  * @typedef {{getNumDataSegments(): number, getDataSegmentInfo(segment: unknown): {offset: number, data: ArrayBuffer}}} Segments
  */
 
-/**
- * Blanks every place in the source, with its file's name, in a module's data: pointer and length of a name that ends in `.rs`, line and column, four bytes
- * each. Returns how many there were.
- */
+/** Blanks every source location in a module's data: pointer and length of a name that ends in `.rs`, line and column, four bytes each. Returns their number. */
 function blankPlaces(/** @type {Buffer} */ data, /** @type {number} */ offset) {
   /** @type {Map<number, number>} */
   const names = new Map();
@@ -49,11 +48,11 @@ function blankPlaces(/** @type {Buffer} */ data, /** @type {number} */ offset) {
 }
 
 /**
- * Takes what only the messages of panics need out of a module that still has its names: each function that makes one is a trap, and the places in the source
- * that they name are blank. What only these functions called goes with the next optimization.
+ * Removes what only panic messages need from a module with names. Each function that builds a message becomes a trap, and the source locations are blanked. The
+ * next optimization removes functions that only these called.
  */
 export async function trapPanics(/** @type {string} */ path) {
-  // Loaded here: on a fresh machine the package is installed by the same command.
+  // Loaded here: on a fresh machine the same command installs the package.
   const { default: binaryen } = await import("binaryen");
   const module = binaryen.readBinary(readFileSync(path));
   binaryen.setDebugInfo(true);

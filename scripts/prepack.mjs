@@ -1,4 +1,4 @@
-// npm runs this before it packs: a quick build has its module in one part, in a profile that is not published.
+// npm runs this before it packs. It refuses a quick build, whose module is in one part and in a profile that is not published.
 import { readFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 

@@ -1,4 +1,4 @@
-// Runs what a first visit, all ENCY cycles and the edits of their forms ask of the module; each function that runs reports itself.
+// Runs the module's functions that a first visit, all ENCY cycles and the edits of their forms use; each function reports itself.
 import { readFileSync, writeFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 
@@ -37,7 +37,7 @@ const SECTIONS = [
   "table",
 ];
 
-/** Everything that the page asks of a job. */
+/** Everything that the page requests for a job. */
 function ask(/** @type {any} */ job) {
   const tries = [
     () => api.check(job),
@@ -56,7 +56,7 @@ function ask(/** @type {any} */ job) {
     try {
       attempt();
     } catch {
-      // Jobs with errors are asked on purpose.
+      // Some jobs have errors on purpose.
     }
 }
 
@@ -70,7 +70,7 @@ for (const { type, number, fields } of cycles) {
     for (const value of [1, -5, 0, 3.25, "a", null, [1, 2, 3]])
       ask({ ...job, cycle: { ...job.cycle, [key]: value } });
 }
-// Any cycle can be chosen, and put beside another one.
+// Any cycle can be chosen and added beside another one.
 for (const { type } of cycles) {
   const { cycle, ...rest } = api.defaultJob(type);
   const several = { ...rest, format: 2, cycles: [cycle, cycle] };
@@ -78,7 +78,7 @@ for (const { type } of cycles) {
     try {
       attempt();
     } catch {
-      // As above.
+      // Same as above.
     }
 }
 const [{ type }] = cycles;

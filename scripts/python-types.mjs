@@ -1,4 +1,4 @@
-// The types of what comes out, for Python, from the package's schema: `node scripts/python-types.mjs` writes examples/python/touchpath_types.py.
+// Types of the answers for Python, from the package's schema: `node scripts/python-types.mjs` writes examples/python/touchpath_types.py.
 import { readFileSync, writeFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 
@@ -12,7 +12,7 @@ const PLAIN = /** @type {Record<string, string>} */ ({
   null: "None",
   object: "dict[str, Any]",
 });
-/** Words that no attribute of a class can be called. */
+/** Names that no class attribute can have. */
 const WORDS = new Set([
   "from",
   "in",
@@ -30,11 +30,11 @@ const WORDS = new Set([
 const literal = (/** @type {unknown[]} */ values) =>
   `Literal[${values.map((one) => JSON.stringify(one)).join(", ")}]`;
 
-/** What a part may be, a union one by one. @param {Schema} part @returns {string[]} */
+/** Members of a union, or the type itself. @param {Schema} part @returns {string[]} */
 const members = (part) =>
   part.anyOf ? part.anyOf.flatMap(members) : [typeOf(part)];
 
-/** The type of a part of the schema. @param {Schema} part @returns {string} */
+/** Python type of a part of the schema. @param {Schema} part @returns {string} */
 function typeOf(part) {
   const of = (/** @type {Schema[]} */ parts) =>
     [...new Set(parts.flatMap(members))].join(" | ");
@@ -63,10 +63,10 @@ function typeOf(part) {
 const comments = (text, indent) =>
   text ? text.split("\n").map((line) => `${indent}# ${line}`.trimEnd()) : [];
 
-/** Whether a definition is another name of a type. @param {Schema} part */
+/** Whether a definition is an alias of a type. @param {Schema} part */
 const isAlias = (part) => part.type !== "object" || !part.properties;
 
-/** The other names, each behind those that it is made of: Python evaluates them as it reads. @param {[string, Schema][]} all */
+/** The aliases in the order of their dependencies: Python evaluates them from top to bottom. @param {[string, Schema][]} all */
 function inOrder(all) {
   const done = new Set();
   const ordered = /** @type {[string, Schema][]} */ ([]);
@@ -84,9 +84,9 @@ function inOrder(all) {
   return ordered;
 }
 
-/** A definition. @param {string} name @param {Schema} part */
+/** A definition as text. @param {string} name @param {Schema} part */
 function definition(name, part) {
-  // Of a name that is made of itself, the inner one is not followed.
+  // The inner use of a recursive name is not followed.
   if (isAlias(part))
     return [
       `${name}: TypeAlias = ${typeOf(part).replaceAll(new RegExp(`\\b${name}\\b`, "g"), "Any")}`,
@@ -114,7 +114,7 @@ function definition(name, part) {
   ];
 }
 
-/** All of it. */
+/** All types as text. */
 export function pythonTypes() {
   const { $defs } = JSON.parse(
     readFileSync(at("dist", "answers.schema.json"), "utf8"),

@@ -1,5 +1,5 @@
-// Writes docs/reference.md from what the package says of itself: doc comments of the types, the element's manifest, the command's help.
-// With `check` nothing is written, and a stale file fails.
+// Writes docs/reference.md from the package itself: doc comments of the types, the element's manifest, the command's help. With `check` it writes nothing and
+// fails if the file is stale.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -37,7 +37,7 @@ function declarations(/** @type {string} */ text) {
   });
 }
 
-/** Where a declaration ends: behind its first semicolon outside of all brackets. */
+/** End of a declaration: its first semicolon outside of all brackets. */
 function endOf(/** @type {string} */ text, /** @type {number} */ begin) {
   let depth = 0;
   for (let at = begin; at < text.length; at++) {
@@ -49,7 +49,7 @@ function endOf(/** @type {string} */ text, /** @type {number} */ begin) {
   return text.length;
 }
 
-/** The names that a file of types exports, through all that it hands on. @returns {string[]} */
+/** Names that a file of types exports, also through re-exports. @returns {string[]} */
 function exported(/** @type {string} */ file) {
   const text = read(file);
   const last = (/** @type {string} */ name) =>
@@ -68,7 +68,7 @@ function exported(/** @type {string} */ file) {
   ];
 }
 
-/** The functions of the package, in their order. */
+/** Functions of the package, in order. */
 function functions() {
   return declarations(read("api.d.ts"))
     .filter(({ code }) => /^(declare )?function /.test(code))
@@ -81,7 +81,7 @@ function functions() {
     .join("\n");
 }
 
-/** The declarations of a file that are wanted, as TypeScript. */
+/** Declarations of a file that match, as TypeScript. */
 function types(
   /** @type {string} */ file,
   wanted = (/** @type {string} */ _name) => true,
@@ -104,7 +104,7 @@ const table = (head, rows, of) => {
   return `| ${names.join(" | ")} |\n|${"---|".repeat(names.length)}\n${rows.map((row) => `| ${of(row).map(cell).join(" | ")} |\n`).join("")}`;
 };
 
-/** The methods of a View: its own, and those of the module's class that it names. */
+/** Methods of a View: its own, and those that it takes from the module's class. */
 function view() {
   const types = read("browser.d.ts");
   const own = /export interface View [\s\S]*?^\}/m.exec(types)?.[0] ?? "";
@@ -126,7 +126,7 @@ function view() {
   ]);
 }
 
-/** The types of the cycles' forms, with their pages of the manual. */
+/** Types of the cycles' forms, with their manual pages. */
 function cycles() {
   const all = declarations(read("job-types.d.ts")).flatMap(({ name, code }) => {
     const type = /^ {4}type: "([\w-]+)";$/m.exec(code)?.[1];
@@ -166,7 +166,7 @@ ${table("part, meaning", one.cssParts, (p) => [code(p.name), p.description])}
 ${table("custom property, meaning", one.cssProperties, (p) => [code(p.name), p.description])}`;
 }
 
-/** The elements that show panels of a job elsewhere: they differ in what they show. */
+/** Elements that show panels of a job elsewhere; they differ in their panels. */
 function parts() {
   const [, ...all] = JSON.parse(read("custom-elements.json")).modules[0]
     .declarations;
@@ -255,7 +255,7 @@ ${types("protocol.d.ts")}
 ${help.replace(/^touchpath \S+:/, "touchpath:")}\`\`\`
 `;
 
-// The page contains every name that can be imported: declared, or as code.
+// The page contains every importable name: declared, or as code.
 const entries = [
   "node.d.ts",
   "browser.d.ts",
@@ -263,7 +263,7 @@ const entries = [
   "react.d.ts",
   "element/element.d.ts",
 ];
-// What only the page asks is declared nowhere.
+// Functions for the page only are not declared.
 const inside = ["judged", "misfit"];
 const values = Object.keys(
   await import(pathToFileURL(at("dist", "node.js")).href),

@@ -1,4 +1,4 @@
-// Whether what is here can be released under a tag: one version everywhere, and a changelog that says it. Publishes nothing.
+// Checks that this tree can be released under a tag: one version everywhere, and a changelog entry. Publishes nothing.
 import { readFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 
@@ -14,7 +14,7 @@ const versions = {
   )?.[1],
 };
 const problems = [];
-// npm holds a provenance against the repository that package.json names.
+// npm compares a provenance with the repository in package.json.
 if (!JSON.parse(text("package.json")).repository)
   problems.push(
     "package.json names no repository: npm publishes no provenance without it",

@@ -18,11 +18,11 @@ const types = {
   ".txt": "text/plain; charset=utf-8",
 };
 
-/** What is wrong with a file that there is none of; anything else is the server's own trouble. */
+/** Error codes of a missing file; any other error is the server's. */
 const missing = ["ENOENT", "ENOTDIR", "ENAMETOOLONG", "ERR_INVALID_ARG_VALUE"];
 
 /**
- * The path that an address names in a folder; null where it names none there.
+ * The path of an address in a folder; null if the address leads outside.
  * @param {string} folder
  * @param {string} address
  */
@@ -40,11 +40,11 @@ function pathOf(folder, address) {
   }
 }
 
-/** Whether a file never changes: the hash of what is in it is in its name. */
+/** Whether a file never changes: its name contains the hash of its content. */
 export const lasts = (/** @type {string} */ file) =>
   /-[\w-]{8}\.\w+$/.test(file);
 
-/** Files as they were compressed, by name and time. @type {Map<string, Promise<Buffer>>} */
+/** Compressed files by name and time. @type {Map<string, Promise<Buffer>>} */
 const packed = new Map();
 
 /**
@@ -72,10 +72,10 @@ function compressed(handle, key) {
 }
 
 /**
- * Answers with the file, or a folder's index.html. Gives the status, 200 once the file is on its way.
+ * Answers with the file, or a folder's index.html. Returns the status, 200 once the file is being sent.
  * @param {string | null} path
  * @param {import("node:http").ServerResponse} response
- * @param {boolean} brotli whether the browser takes it, and it is asked of the server
+ * @param {boolean} brotli whether the browser accepts it and the server is set to it
  */
 async function answer(path, response, brotli) {
   if (path === null) return 404;
@@ -120,8 +120,8 @@ async function answer(path, response, brotli) {
 }
 
 /**
- * Serves a folder, the page unless another is named. Port 0 takes any free one; HOST names another interface than this
- * machine's own. Gives the server once it listens. `compresses`: in brotli, for browsers elsewhere.
+ * Serves a folder, by default the page. Port 0 takes a free port; HOST sets another network interface than this machine's own. Returns the server once it
+ * listens. `compresses`: sends brotli, for browsers elsewhere.
  * @param {number} port
  * @returns {Promise<import("node:http").Server>}
  */
@@ -154,7 +154,7 @@ export function serve(
 }
 
 /**
- * Where a server that listens is to be found.
+ * Address of a listening server.
  * @param {import("node:http").Server} server
  */
 export function addressOf(server) {

@@ -1,41 +1,41 @@
-// Splits the module by what runs: the first part has every function that a first visit, all ENCY cycles and the edits of their forms run; the rest is joined to
-// its memory and its table. A function of the rest that is called too early is a trap, never wrong code.
+// Splits the module by use. The first part has every function that a first visit, all ENCY cycles and the edits of their forms run; the second part joins its
+// memory and table. A function of the second part that is called too early traps; it never runs wrong code.
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** The one table of functions and the memory have these names in binaryen. */
+/** binaryen's names of the function table and the memory. */
 const TABLE = "0";
 const MEMORY = "0";
 const EXTERNREFS = "__wbindgen_externrefs";
-/** What the rest imports from: the exports of the first part. */
+/** Import name of the second part: the exports of the first. */
 const FIRST = "p";
-/** What an element that is not there yet is. */
+/** Table entry of an element that is not loaded yet. */
 const MISSING = "missing__";
 
-/** What runs in a browser alone, by the words of its names: the picture, and what wasm-bindgen needs. */
+/** Functions that only run in a browser, by words of their names: the picture, and wasm-bindgen's support. */
 const PICTURE =
   /view|View|picture|lengths|web_sys|js_sys|FnOnce::call_once|dlmalloc|__wbindgen|__externref|wasm::Last/;
 
-/** Pictures that a first visit has not: of opened programs and of tool lengths, and as SVG. */
+/** Pictures that a first visit does not draw: opened programs, tool lengths, SVG. */
 const RARE =
   /svg|show_?program|show_?run|show_?lentoax|show_moves|path_of|of_program|whole::rows|draw_arrows/i;
 
 /**
- * What binaryen has and its types leave out.
+ * Parts of binaryen that its types omit.
  * @typedef {any} Binaryen
  * @typedef {{ name: string, module: string, base: string, params: number, results: number }} Fn
  */
 
-/** A name as Rust writes it: binaryen escapes what is no letter. */
+/** A name as Rust writes it: binaryen escapes characters that are no letters. */
 const plain = (/** @type {string} */ name) =>
   name.replaceAll(/\\([0-9a-f]{2})/g, (_, code) =>
     String.fromCharCode(Number.parseInt(code, 16)),
   );
 
-/** Loaded here: on a fresh machine the package is installed by the same command. @returns {Promise<Binaryen>} */
+/** Loaded here: on a fresh machine the same command installs the package. @returns {Promise<Binaryen>} */
 const load = async () => (await import("binaryen")).default;
 
 /** @returns {Fn[]} */
@@ -44,7 +44,7 @@ const functionsOf = (/** @type {Binaryen} */ b, /** @type {any} */ module) =>
     b.getFunctionInfo(module.getFunctionByIndex(i)),
   );
 
-/** A module in which every function reports its index to `env.hit` before it runs; gives their names, too. */
+/** A module in which every function reports its index to `env.hit` before it runs, and the names of the functions. */
 async function counting(/** @type {Buffer} */ bytes) {
   const b = await load();
   const module = b.readBinary(bytes);
@@ -63,7 +63,7 @@ async function counting(/** @type {Buffer} */ bytes) {
   return { counted, names };
 }
 
-/** The names of the functions that the jobs of `scripts/profile.mjs` run. */
+/** Names of the functions that the jobs of `scripts/profile.mjs` run. */
 async function profile(/** @type {Buffer} */ bytes) {
   const { counted, names } = await counting(bytes);
   const folder = mkdtempSync(join(tmpdir(), "touchpath-"));
@@ -91,7 +91,7 @@ function slotsOf(/** @type {Binaryen} */ b, /** @type {any} */ module) {
   return slots;
 }
 
-/** Puts functions into the slots of the table, in the place of what was there. */
+/** Replaces functions in slots of the table. */
 function fill(
   /** @type {Binaryen} */ b,
   /** @type {any} */ module,
@@ -117,7 +117,7 @@ function fill(
     );
 }
 
-/** A module's bytes without its data and their count: memory and what it holds are the first part's. */
+/** Bytes of a module without its data and data count: the first part has the memory and its content. */
 function withoutData(/** @type {Buffer} */ bytes) {
   const [DATA, COUNT] = [11, 12];
   const parts = [bytes.subarray(0, 8)];
@@ -155,7 +155,7 @@ const through = (
   );
 
 /**
- * The first part: a function that is not hot is a call through the table, or gone where nothing calls it.
+ * The first part: a cold function becomes a call through the table, or is removed if nothing calls it.
  * @param {Binaryen} b
  * @param {any} module
  * @param {Fn[]} all
@@ -193,7 +193,7 @@ function firstPart(b, module, all, cold) {
 }
 
 /**
- * Splits a module that has its names; `hot` is of what the first part keeps.
+ * Splits a module with names; `hot` selects the functions of the first part.
  * @param {Binaryen} b
  * @param {Buffer} bytes
  * @param {(name: string) => boolean} hot
@@ -208,7 +208,7 @@ function parts(b, bytes, hot) {
   const { slots, slotOf, size } = firstPart(b, first, all, cold);
   const there = functionsOf(b, first);
   const left = new Set(there.map(({ name }) => name));
-  // Hot functions that only cold ones call are the rest's.
+  // Hot functions that only cold ones call belong to the second part.
   const lost = all.filter(({ name }) => !cold.has(name) && !left.has(name));
   if (lost.some(({ base }) => !base)) {
     first.dispose();
@@ -218,7 +218,7 @@ function parts(b, bytes, hot) {
   }
   for (const { name, module, base, params, results } of lost)
     first.addFunctionImport(name, module, base, params, results);
-  // Only what the first part calls needs a new slot.
+  // Only functions that the first part calls need a new slot.
   let end = size;
   /** @type {Map<number, string>} */
   const late = new Map([...slots].filter(([, name]) => cold.has(name)));
@@ -270,7 +270,7 @@ function parts(b, bytes, hot) {
   return made;
 }
 
-/** What the rest still imports becomes an export of the first part, by a short name in capitals, which meets none of its own. */
+/** An import of the second part becomes an export of the first, with a short name in capitals, which is unique there. */
 function hand(
   /** @type {Binaryen} */ b,
   /** @type {any} */ first,
@@ -308,7 +308,7 @@ export async function unnamed(/** @type {Buffer} */ bytes) {
   return binary;
 }
 
-/** What each function calls, by names. */
+/** Functions that each function calls, by name. */
 function callsOf(/** @type {Binaryen} */ b, /** @type {Buffer} */ bytes) {
   const module = b.readBinary(bytes);
   const text = /** @type {string} */ (module.emitText());
@@ -328,7 +328,7 @@ function callsOf(/** @type {Binaryen} */ b, /** @type {Buffer} */ bytes) {
   return calls;
 }
 
-/** These functions with what they call of Rust's libraries, which has no name of its own subject. */
+/** These functions with the functions of Rust's libraries that they call. */
 function withLibraries(
   /** @type {Set<string>} */ names,
   /** @type {Map<string, Set<string>>} */ calls,
@@ -340,7 +340,7 @@ function withLibraries(
   return all;
 }
 
-/** Both parts of a module that has its names. */
+/** Both parts of a module with names. */
 export async function split(/** @type {Buffer} */ bytes) {
   const b = await load();
   b.setDebugInfo(true);

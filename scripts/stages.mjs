@@ -1,22 +1,21 @@
-// Runs stages beside each other, each as a process of its own: what it prints comes in one piece, and what hangs or fails ends alone.
+// Runs stages in parallel, each as a process: its output is printed in one piece, and a stage that hangs or fails ends alone.
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { availableParallelism, constants, setPriority } from "node:os";
 
 /**
- * A stage: what it is called, the stages that must have passed before it, and its work. Nothing waits for one that is `patient`: it takes what the others leave of
- * the cores.
+ * A stage: its name, the stages that must have passed before it, and its work. No stage waits for a `patient` one, which uses the idle time of the cores.
  * @typedef {{ name: string, after: string[], patient?: boolean, work: () => unknown }} Stage
  */
 
 const seconds = (/** @type {number} */ start) =>
   (performance.now() - start) / 1000;
 
-/** Runs this script again with these arguments; gives what it printed, in its order, and whether it failed. */
+/** Runs this script again with these arguments; returns its output in order, and whether it failed. */
 function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
   /** @type {Promise<{ printed: Buffer, failed: boolean }>} */
   const ended = new Promise((done) => {
-    // A group of its own: what it has started ends with it.
+    // A process group, so that child processes end with it.
     const child = spawn(process.execPath, [process.argv[1] ?? "", ...args], {
       stdio: ["ignore", "pipe", "pipe"],
       detached: true,
@@ -35,7 +34,7 @@ function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
   return ended;
 }
 
-/** Lets a process and what it starts take what the others leave. Linux shares its cores by sessions, and each stage is one: the session yields. */
+/** Gives a process and its children a low priority. Linux shares the cores by session, and each stage is one, so the session yields. */
 function yieldCores(/** @type {number} */ pid) {
   try {
     setPriority(pid, constants.priority.PRIORITY_BELOW_NORMAL);
@@ -45,20 +44,20 @@ function yieldCores(/** @type {number} */ pid) {
         String(constants.priority.PRIORITY_LOW),
       );
   } catch {
-    // Without it the stages share as they are.
+    // Without this the stages share the cores equally.
   }
 }
 
 /** @type {Set<import("node:child_process").ChildProcess>} */
 const running = new Set();
 
-/** Ends what still runs. */
+/** Ends the running stages. */
 function stopAll() {
   for (const child of running)
     try {
       if (child.pid) process.kill(-child.pid);
     } catch {
-      // It has ended by itself.
+      // The process has already ended.
     }
 }
 for (const signal of /** @type {const} */ (["SIGINT", "SIGTERM"]))
@@ -68,11 +67,11 @@ for (const signal of /** @type {const} */ (["SIGINT", "SIGTERM"]))
   });
 
 /**
- * Runs the stages, at most one more at once than there are cores: a browser waits, and a compiler takes what is free. The first of the list that may begin
- * begins first. Ends the script where one fails.
+ * Runs the stages, at most one more than there are cores: a browser waits, and a compiler uses the free time. Ready stages start in the order of the list. Ends
+ * the script if a stage fails.
  * @param {Stage[]} stages
- * @param {(name: string) => string[]} args by which this script runs one of them
- * @param {string} [hint] how a run that failed is repeated
+ * @param {(name: string) => string[]} args arguments with which this script runs a stage
+ * @param {string} [hint] command that repeats a failed run
  */
 export async function runStages(stages, args, hint = "") {
   const start = performance.now();
@@ -114,7 +113,7 @@ export async function runStages(stages, args, hint = "") {
   print(passed, start);
 }
 
-/** Prints every stage's time. */
+/** Prints the duration of every stage. */
 function print(
   /** @type {Map<string, number>} */ passed,
   /** @type {number} */ start,

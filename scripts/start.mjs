@@ -1,5 +1,5 @@
-// Builds everything and serves the page. PORT sets the port; without it 4173, or a free one where that is taken. HOST sets the
-// interface; without it only this machine sees the page.
+// Builds everything and serves the page. PORT sets the port; the default is 4173, or a free one if that is in use. HOST sets the network interface; by default
+// only this machine sees the page.
 import { build } from "./build.mjs";
 import { addressOf, serve } from "./serve.mjs";
 

@@ -1,5 +1,5 @@
-// Sets up what a machine lacks and runs every test, in stages beside each other. `setup` only sets up; `check` builds quickly, then checks format, lints
-// and types; the name of a stage runs that stage alone. Laws and fuzzer ask random cases: `--seed N` asks those of an earlier run again.
+// Installs missing tools and runs every test, in parallel stages. `setup` only installs; `check` makes a quick build and checks format, lints and types; the
+// name of a stage runs that stage alone. Laws and fuzzer use random cases: `--seed N` repeats those of an earlier run.
 import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";
 import { dirname } from "node:path";
@@ -45,12 +45,12 @@ const seed =
     : Number(values.seed || Number.NaN);
 const random = { FUZZ_SEED: String(seed), PROPTEST_RNG_SEED: String(seed) };
 
-/** The test files of a folder, by name: what a folder means to Node's runner differs from version to version. */
+/** The test files of a folder, by name: Node's versions differ in what a folder means to the test runner. */
 const tests = (/** @type {string} */ folder) =>
   readdirSync(at("tests", folder))
     .filter((name) => name.endsWith(".test.mjs"))
     .map((name) => at("tests", folder, name));
-/** A test that hangs is a test that fails. */
+/** A test that hangs fails. */
 const patient = ["--test", "--test-timeout=900000"];
 const nodeTests = (
   /** @type {string} */ folder,
@@ -70,7 +70,7 @@ const nodeTests = (
 /** The tests in other browsers. */
 const ENGINES = "engines.test.mjs";
 
-/** The page in Firefox and WebKit, beside Chromium. */
+/** Tests the page in Firefox and WebKit. */
 function engines() {
   const [chromium, firefox, webkit] = [
     ensureChromium(),
@@ -87,10 +87,10 @@ function engines() {
   run("node", [...patient, at("tests", "page", ENGINES)], { env });
 }
 
-/** How many tests must have passed, by the command. wasm-pack skips a test file that has no fitting mode without failing: the tests are counted. */
+/** Least number of tests that must have passed, by command. wasm-pack silently skips a test file without a fitting mode, so the tests are counted. */
 const LEAST = { "test --node": 7, "test --headless --chrome": 7 };
 
-/** A command of wasm-pack, as anyone types it. What it looks for it finds on the path: chromedriver, and wasm-bindgen of the version in Cargo.lock. */
+/** Runs wasm-pack as a user would. It finds chromedriver, and wasm-bindgen of the version in Cargo.lock, on the path. */
 async function wasmPack(/** @type {string[]} */ ...args) {
   const command = args.join(" ");
   const least = LEAST[/** @type {keyof typeof LEAST} */ (command)] ?? 0;
@@ -102,7 +102,7 @@ async function wasmPack(/** @type {string[]} */ ...args) {
   const done = spawnSync("wasm-pack", args, {
     cwd: root,
     encoding: "utf8",
-    // Where the whole module is built: `wasm-pack build` has nothing left to compile.
+    // Target folder of the whole module: `wasm-pack build` then has nothing left to compile.
     env: { ...process.env, ...path, CARGO_TARGET_DIR: targetOf("wasm") },
   });
   process.stdout.write(`${done.stdout ?? ""}${done.stderr ?? ""}`);
@@ -121,7 +121,7 @@ const cargo = (/** @type {string[]} */ ...args) =>
 const clippy = (/** @type {string[]} */ ...args) =>
   cargo("clippy", "--quiet", "--locked", ...args, "--", "-D", "warnings");
 
-/** What a machine may lack. @type {Stage[]} */
+/** Tools that a machine may lack. @type {Stage[]} */
 const SETUP = [
   { name: "Packages", after: [], work: ensurePackages },
   {
@@ -161,7 +161,7 @@ const types = () =>
     npx("tsc", "-p", "tsconfig.scripts.json"),
   ]);
 
-/** What `npm run check` asks. @type {Stage[]} */
+/** Stages of `npm run check`. @type {Stage[]} */
 const CHECKS = [
   { name: "Format", after: ["Packages"], work: format },
   { name: "Lints", patient: true, after: ["Rust"], work: lints },
@@ -171,8 +171,8 @@ const CHECKS = [
 const native = ["test", "--locked"];
 
 /**
- * Every stage; of those that may begin the first begins. The module comes first, for the longest tests are those of the page, and while a page waits compilers
- * have a core. Stages that share a folder of cargo run one after the other.
+ * All stages, in the order in which ready ones start. The module comes first, because the tests of the page are the longest, and while a page waits, compilers
+ * have a core. Stages with the same cargo folder run one after the other.
  * @type {Stage[]}
  */
 const TESTS = [
@@ -182,7 +182,7 @@ const TESTS = [
     after: ["Rust"],
     work: async () => {
       const folder = await compileModule(false);
-      // Another stage installs the packages, and long since has.
+      // Another stage installs the packages, and has finished by then.
       await ensurePackages();
       await writeModule(folder, false);
     },
@@ -294,7 +294,7 @@ if (
 const stage = TESTS.find(({ name }) => name === only);
 const again = (/** @type {string} */ name) => [name, "--seed", String(seed)];
 const sameCases = `The same random cases again: npm test -- --seed ${seed}`;
-/** Only these stages: what they wait for besides is there. */
+/** Only these stages; their requirements exist already. */
 const alone = (/** @type {Stage[]} */ stages) =>
   stages.map((one) => ({
     ...one,

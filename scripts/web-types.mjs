@@ -1,9 +1,9 @@
-// The element for JetBrains' editors, made of its manifest.
+// The element's description for JetBrains editors, from its manifest.
 import { readFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 
 /**
- * What a list of the manifest says of each: name, text, type, default.
+ * Name, text, type and default of the entries in a list of the manifest.
  * @param {any[]} list
  */
 const described = (list = []) =>
@@ -14,7 +14,7 @@ const described = (list = []) =>
     ...(standard === undefined ? {} : { default: standard }),
   }));
 
-/** The file that `web-types` of package.json names. */
+/** The file in `web-types` of package.json. */
 export function webTypes() {
   const json = (/** @type {string[]} */ ...path) =>
     JSON.parse(readFileSync(at(...path), "utf8"));

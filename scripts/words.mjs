@@ -1,5 +1,5 @@
-// The words that each language lacks, and those of texts that are gone. `node scripts/words.mjs` prints both; tests/package/words.test.mjs asks the same.
-// The simplified Chinese is made from the traditional one, and written with every run.
+// Missing and unused words of each language: `node scripts/words.mjs` prints both, and tests/package/words.test.mjs checks them. Simplified Chinese is made
+// from the traditional words with every run.
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Converter } from "opencc-js";
@@ -12,11 +12,11 @@ const json = (/** @type {string} */ path) =>
 /** A double-quoted text after `t(` or `w(`. */
 const MARKED = /\b[tw]\(\s*("(?:[^"\\]|\\.)*")/g;
 
-/** Where the page's sources are, and the report that it saves. */
+/** Folders of the page's sources, with the report that it saves. */
 const folders = ["www", "www/parts"];
 const files = ["www/core/report.ts"];
 
-/** Every English text that may be shown: those of the crate, and those that the page's sources mark. */
+/** Every English text that may be shown: those of the crate, and those marked in the page's sources. */
 export function texts() {
   const found = new Set(/** @type {string[]} */ (json("www/words/core.json")));
   const sources = folders.flatMap((folder) =>
@@ -26,7 +26,7 @@ export function texts() {
     if (path.endsWith(".ts"))
       for (const [, text] of readFileSync(at(path), "utf8").matchAll(MARKED))
         found.add(JSON.parse(/** @type {string} */ (text)));
-  // How a number is written.
+  // Notation of numbers.
   found.add("0.5");
   return found;
 }
@@ -41,7 +41,7 @@ export const languages = () =>
 export const wordsOf = (/** @type {string} */ language) =>
   /** @type {Record<string, string>} */ (json(`www/words/${language}.json`));
 
-/** What the trade calls it otherwise on the mainland, after the characters and the general words are converted. @type {[string, string][]} */
+/** Terms that differ on the mainland, replaced after characters and general words. @type {[string, string][]} */
 const TERMS = [
   ["座标", "坐标"],
   ["控制器", "数控系统"],
@@ -50,7 +50,7 @@ const TERMS = [
   ["进给速率", "进给速度"],
 ];
 
-/** The words of simplified Chinese, from those of the traditional one. */
+/** The words of simplified Chinese, from the traditional ones. */
 export function simplified() {
   const convert = Converter({ from: "twp", to: "cn" });
   const said = (/** @type {string} */ text) =>

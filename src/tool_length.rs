@@ -220,11 +220,11 @@ fn assignment(query: &Query) -> DMat3 {
 /// A status in plain words.
 pub fn meaning(status: i32) -> &'static str {
     match status {
-        0 => words!("every length is parallel to an axis: _AXIND says it all"),
+        0 => words!("every length is parallel to an axis: _AXIND is the full answer"),
         1 => words!(
             "not every length is parallel to an axis: _MATRIX must be read, _AXIND names the dominant lengths"
         ),
-        -1 => words!("the coordinate system is not known"),
+        -1 => words!("the coordinate system is unknown"),
         _ => words!("no tool is active"),
     }
 }

@@ -479,7 +479,7 @@ export abstract class Document extends Output {
     if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
     const problem: Message | null =
       imported.kind === "moves"
-        ? [w("this program says no job")]
+        ? [w("this program contains no job")]
         : this.unusable(imported.job);
     if (problem)
       throw this.refusal(

@@ -158,7 +158,7 @@ export function pathInWords(store: Store): string {
     `${length.toFixed(0)} ${store.units}`,
   );
   return store.plan.program.own
-    ? `${words} · ${store.t("the control's own cycles")}`
+    ? `${words} · ${store.t("native cycles")}`
     : words;
 }
 

@@ -115,7 +115,7 @@ export const SET_UPS: SetUpEntry[] = [
     key: "first-article",
     name: w("First article"),
     says: w(
-      "A bore, a stud and a pocket with their tolerances: nothing is written, a report is made.",
+      "A bore, a stud and a pocket with their tolerances: writes nothing and makes a report.",
     ),
     writes: false,
     job: {

@@ -266,7 +266,7 @@ export class Store extends PartEditor {
       if (problem) this.features.alone();
       if (problem) {
         this.notice = [
-          w("What was kept in this browser cannot be used: {problem}"),
+          w("The state stored in this browser cannot be used: {problem}"),
           problem,
         ];
         continue;

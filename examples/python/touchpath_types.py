@@ -13,9 +13,9 @@ Job: TypeAlias = dict[str, Any]
 
 # An arc about the tool axis.
 class Arc(TypedDict):
-    # Its centre, at the height of the move.
+    # Centre, at the height of the move.
     center: Vec3
-    # Degrees, counter-clockwise positive seen against the tool axis; less than a whole turn.
+    # Sweep in degrees, counter-clockwise positive seen against the tool axis; less than a whole turn.
     sweep: float
 
 
@@ -31,19 +31,19 @@ class Catalog(TypedDict):
     relations: list[RelationEntry]
     # Every control, with what its programs can do.
     posts: list[PostEntry]
-    # What programs are checked for.
+    # Safety rules that programs are checked for.
     rules: list[RuleEntry]
-    # Codes of findings that hold for a control and form whatever the job: a page may say them once, at the control's name.
+    # Codes of findings that hold for a control and form whatever the job. A page may show them once, at the control's name.
     standing: list[str]
-    # What the codes of a CmdPrm table are about; the first that fits counts.
+    # Groups of codes in a CmdPrm table; the first matching group counts.
     codeGroups: list[CodeGroup]
-    # The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
+    # Assumed rate of rapids in `plan().time`, mm/min, if the program states none.
     rapidRate: float
-    # The most touches that a parameter table of CmdPrm codes holds. The entry of a cycle has its own number.
+    # Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.
     maxTouches: float
-    # The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
+    # Length of the longest text that can become a job, in UTF-16 units (characters as JavaScript counts them).
     longestText: float
-    # The longest program whose moves are read, likewise.
+    # Length of the longest program whose moves are read, in the same units.
     longestProgram: float
 
 
@@ -55,15 +55,15 @@ class CheckLine(TypedDict):
 
 # One allowed value of a choice or a code.
 class ChoiceEntry(TypedDict):
-    # The word, or the number, in the job.
+    # Word or number in the job.
     value: str | float
-    # The same for people, in English.
+    # Label in English.
     label: str
 
 
-# What some codes of a parameter table are about.
+# A group of codes in a parameter table.
 class CodeGroup(TypedDict):
-    # What these codes are about, as a heading.
+    # Heading of the group.
     title: str
     # The lowest code, included.
     lowest: float
@@ -71,25 +71,25 @@ class CodeGroup(TypedDict):
     highest: float
 
 
-# A cycle, its form, and where it is documented.
+# A cycle with its form and its source.
 class CycleEntry(TypedDict):
     # The value of `cycle.type` in a job.
     type: Literal["internal-rectangle-protected", "double-wall-internal-corner", "probing-two-circles", "surface", "wall-angle", "hole", "hole-protected", "boss", "internal-rectangle", "external-rectangle", "web", "web-three-points", "groove", "groove-protected", "double-wall-external-corner", "triple-wall-internal-corner", "triple-wall-external-corner", "probe-on-off", "nc-action"]
-    # The name that its source gives it.
+    # Name given by its source.
     title: str
-    # What it measures, in a sentence, in English.
+    # What it measures: one sentence in English.
     says: str
-    # What else people look for it by, in English: words for a search.
+    # Further English search words.
     also: str
-    # Who documents it, and as what: `ENCY/SprutCAM type 5`.
+    # Source and number: `ENCY/SprutCAM type 5`.
     source: str
-    # Its type number in the source's parameter table, where it has one.
+    # Type number in the source's parameter table, if it has one.
     number: float | None
     # Whether its touches may be picked one by one (`cycle.touches`).
     touches: bool
-    # The most touches it can have.
+    # Largest number of touches.
     maxTouches: float
-    # Whether it has feeds and a search length of its own.
+    # Whether it has its own feeds and search length.
     ownFeeds: bool
     # Page of the manual: a path in this repository.
     doc: str
@@ -105,13 +105,13 @@ class CycleEntry(TypedDict):
 class CycleSectionEntry(TypedDict):
     # Key of the object in `cycle`.
     key: str
-    # Whether it may be `null`, which is then its default.
+    # Whether it may be `null`; this is then its default.
     optional: bool
     # The fields of that object, in order.
     fields: list[FieldEntry]
 
 
-# What can be written into an axis of a work offset, or into its rotation.
+# Sources of an axis of a work offset, or of its rotation.
 DatumRow = TypedDict(
     "DatumRow",
     {
@@ -122,13 +122,13 @@ DatumRow = TypedDict(
 )
 
 
-# One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units.
+# One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the units of the job.
 class FieldEntry(TypedDict):
     # Key in its section.
     key: str
-    # Short name for people, in English.
+    # Label in English.
     label: str
-    # What the field is for, in English.
+    # Help text in English.
     help: str
     # `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`.
     kind: Literal["number", "count", "flag", "choice", "code", "text", "point", "nominal", "nominalPoint"]
@@ -138,23 +138,23 @@ class FieldEntry(TypedDict):
     range: list[float] | None
     # Whether the smallest number itself is excluded.
     above: bool
-    # Smallest and largest usual number: the check warns outside of them. Null where every allowed number is usual.
+    # Smallest and largest usual number: the check warns outside of them. Null if every allowed number is usual.
     usual: list[float] | None
-    # The value in a job that leaves the field out.
+    # Value in a job that leaves the field out.
     default: DefaultEntry
-    # What a new job in inch begins with, in inch: a number that people type, near to `default`. A job in inch that leaves the field out has `default`.
+    # Start value for a new job in inch, in inch: a round number near `default`. A job in inch that leaves the field out has `default`.
     defaultInch: DefaultEntry
-    # What `null` means; null where it is not allowed.
+    # Meaning of `null`; null if it is not allowed.
     null: str | None
     # The allowed values of a choice or a code; else empty.
     choices: list[ChoiceEntry]
-    # Its code in the source's parameter table: `CmdPrm.Flt[-50]`. Null where it has none.
+    # Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none.
     code: str | None
-    # The heading under which a form shows it.
+    # Heading above the field in a form.
     group: str
     # Whether `part.sizes` may change it.
     size: bool
-    # What another field of its form must be for this one to count; null where it always counts.
+    # Condition on another field of the form under which this one counts; null if it always counts.
     when: WhenEntry | None
 
 
@@ -167,56 +167,56 @@ class FileLine(TypedDict):
     findings: list[Finding]
 
 
-# A problem, or something worth knowing.
+# An error, warning or note.
 class Finding(TypedDict):
-    # Whether it keeps the job from being planned.
+    # Weight; an error prevents the plan.
     level: Level
     # A stable, kebab-case name for programs to switch on, one of those in docs/findings.md.
     code: FindingCode
-    # The place in the job: `cycle.sideClearance1`, `feeds.work`; empty for the job as a whole.
+    # Position in the job: `cycle.sideClearance1`, `feeds.work`; empty for the whole job.
     path: str
-    # Plain words for a person, with numbers in the job's units.
+    # Message in plain words, with numbers in the units of the job.
     message: str
-    # The message as a template and its values: with a list of words it can be said in another language.
-    said: Said
+    # The message as a template and its values: with a list of words it can be translated.
+    said: Message
 
 
 class Lentoax(TypedDict):
-    # 0: `axind` says it all; 1: `matrix` must be read; -1: coordinate system not known; -2: no tool active.
+    # 0: `axind` is the full answer; 1: `matrix` must be read; -1: unknown coordinate system; -2: no active tool.
     status: float
-    # For abscissa, ordinate, applicate: the number of the length that acts there, negative if it points the other way.
+    # For abscissa, ordinate and applicate: the number of the length that acts there, negative if it points the other way.
     axind: Vec3
     # Rows abscissa, ordinate, applicate; columns L1, L2, L3.
     matrix: list[Vec3]
 
 
-# What follows from measured values. Lengths in the job's units, angles in degrees.
+# Results from measured values. Lengths in the job's units, angles in degrees.
 class Measurement(TypedDict):
-    # As a plan has them, from what was measured: `truth` is null.
+    # Results as in a plan, from measured values: `truth` is null.
     results: list[ResultRow]
-    # The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches.
+    # Ball centre at each touch, in the work coordinate system; null without a contact. Empty if the text gives results instead of touches.
     points: list[Vec3 | None]
     # On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if nothing has to be typed; a finding gives the reason.
     block: str | None
-    # How the values were read, and what is missing: warnings and notes.
+    # Warnings and notes about the reading of the values, and about missing ones.
     findings: list[Finding]
 
 
 # One move of the ball centre.
 class Move(TypedDict):
-    # Where it ends; a touch at its nominal contact.
+    # End of the move; of a touch its nominal contact.
     to: Vec3
     # `approach`, `longLink`, `work`, `retract`, `return` or `rapid`.
     feed: Literal["approach", "longLink", "work", "retract", "return", "rapid"]
     # `position`, `touch` or `back`.
     kind: Literal["position", "touch", "back"]
-    # Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where native cycles make it: which line makes it, from that of the first move on.
+    # Step in the cycle's documented list, from 1; 0 for a link move between two cycles. With native cycles: the line that makes it, counted from that of the first move.
     step: float
-    # Index of the touch that it makes or comes back from; null for positioning.
+    # Index of its touch, for touches and retracts; null for positioning.
     touch: float | None
-    # The arc it runs along; null is a straight line.
+    # The arc of the move; null is a straight line.
     arc: Arc | None
-    # Index of its cycle in a set-up, or of the one that it leads to; 0 for a job of one cycle.
+    # Index of its cycle in a set-up, or of the cycle that a link move leads to; 0 for a job with one cycle.
     cycle: float
 
 
@@ -224,47 +224,47 @@ class Move(TypedDict):
 class ParameterRow(TypedDict):
     # `CmdPrm.Flt[-53]`, or `Q1116` for a HEIDENHAIN cycle.
     code: str
-    # The type column of the source.
+    # Entry in the type column of the source.
     type: str
-    # The value, lengths in the job's units.
+    # Value; lengths in the job's units.
     value: ParameterValue
-    # What it means, in English; `meanings(job)` has it for other languages.
+    # Meaning in English; `meanings(job)` has it for other languages.
     meaning: str
-    # Path of the job's field it comes from.
+    # Path of the job field that gives the value.
     field: str | None
-    # Index of the touch it comes from; null if it concerns the whole cycle.
+    # Index of the touch that gives the value; null if it concerns the whole cycle.
     touch: float | None
-    # Index of its cycle in a set-up; 0 for a job of one cycle.
+    # Index of its cycle in a set-up; 0 for a job with one cycle.
     cycle: float
 
 
-# Everything that follows from a job. Lengths in the job's units, angles in degrees.
+# The plan of a job. Lengths in the job's units, angles in degrees.
 class Plan(TypedDict):
-    # The nominal touches, on the surface.
+    # Nominal touches, on the surface.
     touches: list[TouchPoint]
-    # The moves, of the ball centre.
+    # Moves of the ball centre.
     moves: list[Move]
-    # The names of the cycles of a set-up, in their order; empty for a job of one cycle.
+    # Names of the cycles of a set-up, in order; empty for a job with one cycle.
     cycles: list[str]
-    # The names of the relations of a set-up, in their order.
+    # Names of the relations of a set-up, in order.
     relations: list[str]
-    # Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle.
+    # For a set-up, the possible sources of each axis of a work offset and its rotation, and the used ones; empty for a job with one cycle.
     datum: list[DatumRow]
-    # Length of the whole path: from where the job says the ball is, else from where the first move ends.
+    # Length of the whole path: from the start in the job, else from the end of the first move.
     length: float
-    # Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
+    # Time of the path, minutes. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
     time: float
-    # The program, for the control of the job.
+    # The program for the control of the job.
     program: ProgramText
-    # The cycle's parameters as its source numbers them.
+    # Parameters of the cycle with the numbers of its source.
     table: list[ParameterRow]
-    # Results the control will store, for the virtual part.
+    # Results that the control will store on the virtual part.
     results: list[ResultRow]
-    # Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
+    # Ball centre at the trigger of each touch on the virtual part; null without a contact within the search.
     triggers: list[Vec3 | None]
     # Warnings and notes; with an error there is no plan.
     findings: list[Finding]
-    # For each safety rule, whether the program keeps it.
+    # Whether the program keeps each safety rule.
     safety: list[SafetyRow]
 
 
@@ -279,65 +279,65 @@ class PlanLine(TypedDict):
 class PostEntry(TypedDict):
     # The value of `control.post` in a job.
     id: PostId
-    # The control's name, for people.
+    # Name of the control.
     title: str
     # The usual file extension, without the dot.
     extension: str
-    # Highest number of a work offset that a program can write; 0 where it can write none.
+    # Highest number of a work offset that a program can write; 0 if it can write none.
     workOffsets: float
     # Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
     firstLength: bool
     # Whether its program watches positioning moves with the probe.
     watches: bool
-    # Whether its program computes the results itself.
+    # Whether its program computes the results.
     computes: bool
-    # Whether its own cycles can correct a tool offset from a measured size.
+    # Whether its native cycles can correct a tool offset from a measured size.
     correctsTools: bool
-    # The fields of the job's section `control` that change nothing on it.
+    # Fields of the job's section `control` that change nothing on it.
     unused: list[str]
-    # What its work offsets are called, from number 1.
+    # Names of its work offsets, from number 1.
     workOffsetWords: list[str]
-    # For each cycle, and each form of the program, whether the control takes it.
+    # Whether the control supports each cycle, in each form of the program.
     cycles: list[SupportEntry]
 
 
 # The program as text.
 class ProgramText(TypedDict):
-    # Which control it is for.
+    # Id of the control.
     post: str
     # The usual file extension, without the dot.
     extension: str
-    # Its lines, each ended by a line feed.
+    # Lines, each ended by a line feed.
     text: str
-    # For each move the 0-based line that makes it; −1 where the native cycle makes it.
+    # The 0-based line of each move; −1 if the native cycle makes it.
     moveLines: list[float]
-    # What it writes, in its own blocks or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only.
+    # Values that the program writes, in its own blocks or by the called cycle. For the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. For the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty if it only measures.
     writes: list[Literal["X", "Y", "Z", "rotation", "preset X", "preset Y", "preset Z", "basic rotation", "table offset"]]
-    # What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
+    # Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
     does: str
-    # The same as a template and its values.
-    said: Said
-    # What was proven of it; null in the form `cycle`.
+    # `does` as a template and its values.
+    said: Message
+    # Proof of the program; null in the form `cycle`.
     proof: ProofRow | None
-    # Whether the moves of the plan are those that native cycles make, which the program calls.
+    # Whether the moves of the plan are those of native cycles that the program calls.
     own: bool
 
 
-# The outcome of one job among many.
+# Outcome of one job among many.
 class Programmed(TypedDict):
-    # Its program; `null` where it has none.
+    # Its program; `null` without one.
     program: ProgramText | None
-    # All findings; where there is no program, errors among them.
+    # All findings; errors among them if there is no program.
     findings: list[Finding]
 
 
-# What was proven of a program of moves: read back, it is the path.
+# Proof of a program of moves: read back, it is the path.
 class ProofRow(TypedDict):
-    # How many moves of the path it makes, each where and how it should.
+    # Number of moves of the path that the program makes, each with the right position, kind and feed.
     moves: float
-    # How many of them are touches.
+    # Number of touches among them.
     touches: float
-    # Whether the program computes the results itself, and the right ones.
+    # Whether the program computes the results, and they are right.
     arithmetic: bool
 
 
@@ -345,17 +345,17 @@ class ProofRow(TypedDict):
 class RelationEntry(TypedDict):
     # The value of `relations[].type` in a job.
     type: Literal["line", "center", "pitch-circle", "difference", "mean"]
-    # Its name for people, in English.
+    # Label in English.
     label: str
-    # What its results are, in English.
+    # Its results: one sentence in English.
     says: str
     # Whether its operands are positions, named by their cycles and relations; else single results.
     places: bool
-    # The fewest operands.
+    # Smallest number of operands.
     least: float
-    # The most operands; null if it takes any number.
+    # Largest number of operands; null is any number.
     most: float | None
-    # The codes of its results; of angles `.angle` is added to the first.
+    # Codes of its results; `.angle` is added to the first if the operands are angles.
     results: list[ResultCode]
 
 
@@ -365,155 +365,155 @@ class Report(TypedDict):
     machine: str
     when: str
     note: str
-    # The control that the program is for.
+    # Control of the program.
     control: str
-    # The hash over the blocks of the program, as its header says it; empty where it says none.
+    # Hash of the program's blocks from its header; empty without one.
     program: str
     parts: float
-    # `good`, `good within ±`, `out within ±`, `not measured`, `out` and the like: the worst of all; `null` where nothing has a tolerance.
+    # The worst verdict: `good`, `good within ±`, `out within ±`, `not measured`, `out` and others; `null` without any tolerance.
     verdict: str | None
     rows: list[ReportRow]
 
 
 # A result in a report.
 class ReportRow(TypedDict):
-    # Its code, in a set-up behind the name of its cycle or relation: `BORE.diameter`.
+    # Its code; in a set-up with the name of its cycle or relation: `BORE.diameter`.
     code: str
     meaning: str
     # `mm`, `inch` or `deg`.
     unit: str
     nominal: float | None
     limits: list[float] | None
-    # One a part; `null` where it was not measured.
+    # A value per part; `null` if not measured.
     values: list[float | None]
-    # Of the last part: value less nominal.
+    # Deviation of the last part: value minus nominal.
     deviation: float | None
-    # Twice the standard uncertainty: 95 of 100 measurements lie within.
+    # Expanded uncertainty (k = 2): 95 of 100 measurements lie within.
     expanded: float | None
-    # One a part; `null` where no tolerance is given.
+    # A verdict per part; `null` without a tolerance.
     verdicts: list[str | None]
-    # `null` of a single part.
+    # `null` for a single part.
     series: Series | None
 
 
-# A value that the cycle measures: what the control computes, and what it should be.
+# A measured value: computed by the control, with its nominal value.
 class ResultRow(TypedDict):
     # A stable name, one of `RESULT_CODES`: `center.x`.
     code: ResultCode
-    # What the value is, in English.
+    # Description of the value in English.
     meaning: str
     # `mm`, `inch` or `deg`; empty for a number without a unit.
     unit: Literal["mm", "inch", "deg", ""]
-    # Its value on the nominal part; null where that is not known.
+    # Value on the nominal part; null if it is unknown.
     nominal: float | None
-    # What the control computes; null where the triggers cannot give it.
+    # Value that the control computes; null if the triggers cannot give it.
     value: float | None
-    # Value less nominal, or less the middle of the tolerance zone.
+    # Value minus nominal, or minus the middle of the tolerance.
     deviation: float | None
-    # One sigma of the value: scatter of the touches, and eccentricity of the ball.
+    # Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball.
     uncertainty: float | None
-    # How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the angle of calibration.
+    # Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of calibration.
     uncertaintyRunout: float | None
-    # Lower and upper limit, where a tolerance is given.
+    # Lower and upper limit, if there is a tolerance.
     limits: list[float] | None
-    # Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit.
+    # Good, rework or scrap, if there is a tolerance; implausible beyond the limit.
     verdict: Verdict | None
-    # The true value on the virtual part, where there is one.
+    # True value on the virtual part, if there is one.
     truth: float | None
-    # Why the value is not the truth, where it is not.
+    # Reason why the value differs from the true value, if it does.
     note: str | None
-    # Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it.
+    # Storage in the control after its native cycles: `#135`. Null for a program of moves, whose header lists it.
     stored: str | None
-    # Index of its cycle in a set-up, or behind all cycles that of its relation; 0 for a job of one cycle.
+    # Index of its cycle in a set-up, or, after all cycles, of its relation; 0 for a job with one cycle.
     cycle: float
-    # Its words as templates and their values.
+    # Its texts as templates and their values.
     said: ResultWords
 
 
-# The words of a result, to be put into other languages.
+# Texts of a result, for translation.
 class ResultWords(TypedDict):
-    # What the value is.
-    meaning: Said
-    # Good, rework or scrap, where a tolerance is given.
-    verdict: Said | None
-    # Why the value is not the truth, where it is not.
-    note: Said | None
+    # Description of the value.
+    meaning: Message
+    # Good, rework or scrap, if there is a tolerance.
+    verdict: Message | None
+    # Reason why the value differs from the true value, if it does.
+    note: Message | None
 
 
-# A safety rule, as every program is checked for it.
+# A safety rule that every program is checked for.
 class RuleEntry(TypedDict):
-    # Its name, by which the plan's `safety` refers to it.
+    # Name of the rule, as in the plan's `safety`.
     name: str
-    # What it demands of a program, in a sentence.
+    # Requirement for a program: one sentence.
     says: str
-    # What could happen without it.
+    # Possible consequence of breaking it.
     why: str
 
 
-# Whether the program keeps a safety rule.
+# Verdict of a safety rule.
 class SafetyRow(TypedDict):
     # The name of the rule.
     rule: RuleName
-    # Null where this control cannot hold it, or its own cycle answers for it.
+    # Null if this control cannot guarantee it, or its native cycle is responsible for it.
     holds: bool | None
-    # What the rule asks, what is wrong, or why the control cannot.
+    # The requirement, the fault, or the reason why the control cannot guarantee it.
     message: str
-    # The same as a template and its values.
-    said: Said
+    # `message` as a template and its values.
+    said: Message
     # The 0-based lines that break it.
     lines: list[float]
-    # The 0-based lines that it was asked of, whether they keep or break it; those of the native cycle where that answers for it.
+    # The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it.
     about: list[float]
 
 
 # One section of a job.
 class SectionEntry(TypedDict):
-    # Its key in the job, empty for the job itself.
+    # Key in the job; empty for the job itself.
     path: str
-    # Whether it may be `null`, which is then its default.
+    # Whether it may be `null`; this is then its default.
     optional: bool
     # The fields of the section, in order.
     fields: list[FieldEntry]
 
 
-# What several parts say of one result. Lengths in the job's units, angles in degrees.
+# Statistics of one result over several parts. Lengths in the job's units, angles in degrees.
 class Series(TypedDict):
-    # How many parts have a value.
+    # Number of parts with a value.
     count: float
     mean: float
     min: float
     max: float
-    # Standard deviation of the parts, divided by count − 1; `null` of a single one.
+    # Standard deviation over the parts, with the divisor count − 1; `null` for a single part.
     spread: float | None
-    # Slope of the straight line of least squares through the values, a part; `null` of fewer than three.
+    # Slope of the least-squares line through the values, per part; `null` for fewer than three.
     trend: float | None
-    # (upper − lower limit) / 6 spreads; `null` without both limits or without spread.
+    # (upper − lower limit) / (6 × spread); `null` without both limits or without spread.
     cp: float | None
-    # Distance of the mean from the nearer limit / 3 spreads; likewise.
+    # Distance of the mean from the nearer limit / (3 × spread); `null` in the same cases.
     cpk: float | None
 
 
-# Whether a control takes a cycle in a form.
+# Whether a control supports a cycle in a form.
 class SupportEntry(TypedDict):
     # The value of `cycle.type`.
     type: Literal["internal-rectangle-protected", "double-wall-internal-corner", "probing-two-circles", "surface", "wall-angle", "hole", "hole-protected", "boss", "internal-rectangle", "external-rectangle", "web", "web-three-points", "groove", "groove-protected", "double-wall-external-corner", "triple-wall-internal-corner", "triple-wall-external-corner", "probe-on-off", "nc-action"]
     # `moves`: plain moves and touches. `cycle`: the native cycle.
     form: Literal["moves", "cycle"]
-    # Whether the control takes the cycle in this form.
+    # Whether the control supports the cycle in this form.
     supported: bool
-    # Why not; null where it does.
+    # Reason why not; null if it does.
     reason: str | None
     # Whether this native cycle corrects the active preset, so that no work offset is chosen.
     ownPreset: bool
 
 
-# Where the ball is to touch the nominal part.
+# A touch of the nominal part.
 class TouchPoint(TypedDict):
-    # The point that is touched, on the surface.
+    # Touched point, on the surface.
     point: Vec3
-    # Target vector: outward normal of the surface, of length one.
+    # Target vector: unit outward normal of the surface.
     vector: Vec3
-    # Which wall or circle it is on, from 0.
+    # Index of the touched surface, from 0.
     group: float
     # Index of its cycle in a set-up; 0 for a job of one cycle.
     cycle: float
@@ -521,29 +521,29 @@ class TouchPoint(TypedDict):
 
 # One move of a program.
 class TraceMove(TypedDict):
-    # Where it ends; null along an axis that no block has named yet.
+    # End; null along an axis that no block has named yet.
     to: list[float | None]
     # `rapid`, `feed`, `watched`, `touch` or `unchecked`.
     kind: TraceKind
-    # Null is a rapid, or a feed that no block has stated.
+    # Feed; null for a rapid, or if no block has stated one.
     feed: float | None
-    # The 0-based line that makes it.
+    # The 0-based line of the move.
     line: float
 
 
-# The moves of a program that says no job.
+# The moves of a program without a job.
 class TraceRow(TypedDict):
-    # The control whose language it was read in.
+    # Control whose language it was read in.
     control: str
-    # `mm`, `inch`, or null where it does not say.
+    # `mm`, `inch`, or null if the program does not say.
     units: Literal["mm", "inch", null]
     # Its moves, in its units.
     moves: list[TraceMove]
 
 
-# What a field must be for another one to count.
+# Condition on a field under which another one counts.
 class WhenEntry(TypedDict):
-    # Key of that other field, in the same form.
+    # Key of the other field, in the same form.
     key: str
     # The code that it must have.
     value: float
@@ -553,7 +553,7 @@ class WhenEntry(TypedDict):
 Vec3: TypeAlias = list[float]
 
 
-# A value as a job has it.
+# A value in a job.
 DefaultEntry: TypeAlias = float | bool | str | Vec3 | None
 
 
@@ -561,7 +561,7 @@ DefaultEntry: TypeAlias = float | bool | str | Vec3 | None
 FindingCode: TypeAlias = Literal["align-needs-confirm", "angle-rounded", "approach-beyond-wall", "approach-not-watched", "arc-unsolved", "ball-too-wide", "ball-unknown", "beyond-travel", "block-to-type", "block-too-long", "branch-ends", "circle-in-circle", "clear-too-low", "clearance-height-too-low", "clearance-too-small", "code-twice", "collision", "contact-at-start", "converted", "crossing-too-low", "cycle-chooses-points", "cycle-differs", "cycle-name", "cycle-no-lift", "cycle-no-zone", "cycle-not-parallel", "cycle-not-square", "cycle-one-path", "cycle-path-short", "cycle-plane", "cycle-stops", "datum-apart", "datum-unknown", "dist-needed", "dist-too-short", "division-by-zero", "dry-run-unsupported", "edge-contact", "extrusion-direction", "feeds-of-set-up", "field-unused", "form-unsupported", "given-incomplete", "given-position", "header-unknown", "header-unsound", "implausible", "keep-out", "length-not-along-tool-axis", "length-to-centre", "lift-unused", "limit-stops", "limits-not-asked", "lines-differ", "lines-optional", "lines-skipped", "locked", "low-crossing", "low-rapid", "low-start", "machine-places", "macro-not-seen", "macro-stops", "missing", "missing-code", "missing-parameter", "mixed-forms", "more-findings", "moves-before-cycle", "name-changed", "needs-calibration", "nested-too-deeply", "newer-format", "no-arc", "no-block", "no-circle", "no-contact", "no-direction", "no-extrusion", "no-job-in-program", "no-moves", "no-results-in-program", "no-retract", "no-touches", "no-units", "not-a-flag", "not-a-number", "not-a-tolerance", "not-a-value", "not-allowed", "not-at-feed", "not-called", "not-finite", "not-in-dump", "not-in-program", "not-json", "not-known", "not-on-one-circle", "not-on-one-wall", "not-proven", "not-rectangular", "not-understood", "not-verified", "not-whole", "nothing-switched", "nothing-to-import", "nothing-to-write", "number-protected", "number-unused", "offset-in-parts", "offset-measured-again", "offset-one-direction", "offset-optional", "order-of-cycles", "orient-unsupported", "other-control", "other-form", "other-units", "other-version", "out-of-range", "out-of-tolerance", "overtravel-too-short", "own-codes", "own-moves", "own-path", "pairs-not-square", "part-not-in-program", "passed-over", "passes-close", "path-not-above", "picks-differ", "picks-out-of-range", "place-of-result", "place-too-far", "places-computed", "places-transformed", "plane-from-dump", "plane-unknown", "plane-unsupported", "points-differ", "portal", "positioning-not-watched", "predefined", "probe-move-too-short", "probe-word", "probing-too-fast", "program-differs", "program-stops", "protection-unsupported", "rapid-at-feed", "reaction-unsupported", "relation-not-computed", "relation-of", "repeat-unsupported", "result-missing", "result-twice", "result-untrue", "rotary-unsupported", "rotation-not-written", "rotation-unsupported", "row-activated", "rule-broken", "search-too-short", "semi-automatic", "semi-automatic-unsupported", "set-up-too-long", "set-up-unsupported", "several-cycles", "shank-collision", "short-arc", "small-hole", "start-in-feature", "start-unknown", "starts-disagree", "stops-too-late", "stylus-from-dump", "stylus-not-known", "text-too-long", "tolerance-beyond-limit", "tolerance-elsewhere", "tolerance-unknown", "tolerance-unsupported", "too-far", "too-long", "too-many-digits", "too-many-registers", "too-many-touches", "tool-axis-reversed", "tool-by-name", "tool-corrected", "tool-length-unchecked", "touch-above-top", "touch-aside", "touch-askew", "touch-beyond-corner", "touch-close", "touch-fast", "touch-missed", "touch-missing", "touch-near-edge", "touch-too-short", "touches-coincide", "touches-kept", "touches-not-level", "touches-unsound", "turn-beyond-limit", "uncertain-result", "unclear-line", "units-differ", "units-found", "units-not-stated", "units-unclear", "units-unknown", "unknown-code", "unknown-key", "unknown-parameter", "unknown-result", "unknown-type", "unknown-value", "unreadable", "unsafe-program", "unusable", "unusual", "vector-not-in-plane", "vector-not-unit", "vector-not-upwards", "vector-wrong-way", "vectors-not-opposite", "walls-parallel", "wear-off-middle", "wear-unlimited", "wear-unsupported", "words-twice", "work-offset-needed", "work-offset-unclear", "work-offset-unsupported", "wrong-code", "wrong-count", "wrong-type", "wrong-wall", "zone-beyond-clearance", "zone-beyond-dist"]
 
 
-# What was made of a text: a job, or the moves of a program that holds no job. `findings` says what was ignored, and what could not be known.
+# Content of a text: a job, or the moves of a program without a job. `findings` lists ignored lines and unknown values.
 Imported: TypeAlias = dict[str, Any]
 
 
@@ -569,8 +569,12 @@ Imported: TypeAlias = dict[str, Any]
 Judged: TypeAlias = Literal["good", "rework", "scrap", "undefined", "implausible", "good within ±", "out", "out within ±"]
 
 
-# How much a finding weighs.
+# Weight of a finding.
 Level: TypeAlias = Literal["error", "warning", "info"]
+
+
+# A message: its English template, then the values of the names in braces in the order of their first appearance. A value is a string that no language changes (a number with its unit, a code, text of the user) or another message.
+Message: TypeAlias = list[str | Any]
 
 
 # The value of a parameter.
@@ -589,11 +593,7 @@ ResultCode: TypeAlias = Literal["center.x", "center.y", "diameter", "residual", 
 RuleName: TypeAlias = Literal["modes-stated", "spindle-off", "probe-asked", "probe-free-again", "low-start-goes-up", "positioning-watched", "contact-lifts", "missed-touch-stops", "missed-touch-lifts", "feeds-stated", "no-low-rapid", "offset-after-touches", "one-write", "plausible-before-write", "tolerance-obeyed", "place-within-limit", "restart-writes-nothing", "ends-above"]
 
 
-# A sentence as its English template, then the values of the names in its braces, in the order in which these first appear: a string that is the same in every language (a number with its unit, a code, what a user typed), or again something said.
-Said: TypeAlias = list[str | Any]
-
-
-# What a motion does.
+# Kind of a motion.
 TraceKind: TypeAlias = Literal["rapid", "feed", "watched", "touch", "unchecked"]
 
 

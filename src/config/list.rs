@@ -90,7 +90,7 @@ pub fn some_of<T>(
 ) -> Option<Vec<T>> {
     if *value? == Value::List(Vec::new()) {
         let message = text!(
-            "{path} must allow something: leave it out to allow everything",
+            "{path} must allow at least one value: omit it to allow everything",
             path.to_owned()
         );
         checker.error("missing", path, message);

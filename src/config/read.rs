@@ -74,7 +74,7 @@ pub fn read(value: &Value) -> Result<Config, JobError> {
             checker.error(
                 "unknown-value",
                 "format",
-                text!("A config must say its format: 1"),
+                text!("A config must specify its format: 1"),
             );
         }
     }

@@ -150,7 +150,7 @@ static OKUMA_OWN: NativeCycles = NativeCycles {
 fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
         (_, ProgramForm::Moves) => Err(words!(
-            "no source says how the control answers a program that asks for modes, tool length and contacts"
+            "no source documents how the control answers a program that reads modes, tool length and contacts"
         )),
         (FeatureKind::Wall, ProgramForm::Cycle) => Err(words!(
             "the macro for the angle of a wall, 9843, is read and drawn, and not written"

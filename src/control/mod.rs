@@ -476,7 +476,7 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     };
     if circles.semi_automatic {
         let message = text!(
-            "A semi-automatic object (?) needs an operator and the control's own cycle, not plain moves"
+            "A semi-automatic object (?) needs an operator and the native cycle, not plain moves"
         );
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
@@ -499,7 +499,7 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
 fn check_watched(request: &Request<'_>, checker: &mut Checker) {
     if !request.protected && !request.path.moves.is_empty() {
         let message = text!(
-            "Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks"
+            "Positioning moves are not watched because of the job's setting: a contact there goes unnoticed, and the probe breaks"
         );
         checker.warning("positioning-not-watched", "control.protection", message);
     }
@@ -514,7 +514,7 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
         .is_some_and(|circles| circles.turns_table)
     {
         let message = text!(
-            "{why}: turning or offsetting a rotary table is for the control's own cycle",
+            "{why}: rotating or offsetting a rotary table requires the native cycle",
             why
         );
         checker.error("rotary-unsupported", "cycle.confirmRotation", message);
@@ -591,7 +591,7 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
     });
     if request.work_offset.is_some() && axes > directions(request.path) {
         let message = text!(
-            "Only a shift along the touches is measured: each axis of the work offset gets its share of it, and a shift across them is not seen"
+            "Only the shift along the touches is measured: each axis of the work offset gets its share of it. A shift across the touches is not measured"
         );
         checker.warning("offset-one-direction", "control.workOffset", message);
     }

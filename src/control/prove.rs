@@ -1121,7 +1121,7 @@ fn write(
         ) {
             let axis = crate::geom::AXIS_NAMES[axis];
             return Err(Fault::of(text!(
-                "the work offset that is written does not bring {axis} to its nominal place",
+                "the written work offset does not bring {axis} to its nominal position",
                 axis
             )));
         }

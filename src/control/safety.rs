@@ -149,7 +149,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: CONTACT_LIFTS,
-        requirement: "A contact in positioning leads to an exit that only lifts, and only where the way up is free",
+        requirement: "A contact in positioning leads to an error exit that only retracts along the tool axis, and only if that path is free",
         why: "A probe left in contact is driven on by whatever runs next.",
         mandatory: true,
         own_cycle: false,
@@ -168,7 +168,7 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: MISS_LIFTS,
         requirement: "Every missed touch leads to the same exit, which only lifts",
-        why: "After a missed touch the ball is where nothing has been checked.",
+        why: "After a missed touch the ball is at an unchecked position.",
         mandatory: true,
         own_cycle: true,
         about: Scope::Motions(|step| step.kind == Kind::Touch),
@@ -176,7 +176,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "feeds-stated",
-        requirement: "Every probing block states its own feed",
+        requirement: "Every probing block has its own feed",
         why: "A feed left over from a rapid move is a hundred times too fast for a touch.",
         mandatory: true,
         own_cycle: false,
@@ -185,7 +185,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: NO_LOW_RAPID,
-        requirement: "No rapid goes down or across below the clearance plane, except back from a touch",
+        requirement: "No rapid moves down or across below the clearance plane, except as a retract from a touch",
         why: "The part is below it, and a rapid move does not stop in time.",
         mandatory: false,
         own_cycle: false,
@@ -213,7 +213,7 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: PLAUSIBLE,
         requirement: "A result that is off its nominal value by more than its limit ends the program with an alarm before anything is written",
-        why: "A chip on the first wall would be written as the place of the part.",
+        why: "A chip on the first wall would be written as the position of the part.",
         mandatory: true,
         own_cycle: true,
         about: Scope::Writes,
@@ -259,7 +259,7 @@ pub static RULES: &[Rule] = &[
 
 /// Verdicts on a program of a native cycle that is not traced.
 pub fn not_followed() -> Vec<Verdict> {
-    let message = text!("The control's own cycle makes every move itself");
+    let message = text!("The native cycle makes every move itself");
     RULES
         .iter()
         .filter(|rule| ![TOLERANCE, PLACE].contains(&rule.name))
@@ -309,7 +309,7 @@ fn verdict(rule: &Rule, case: &RuleContext<'_>) -> Verdict {
     } else if own_cycle {
         (
             None,
-            text!("The control's own cycle touches and writes by itself"),
+            text!("The native cycle touches and writes automatically"),
             Vec::new(),
         )
     } else {
@@ -319,7 +319,7 @@ fn verdict(rule: &Rule, case: &RuleContext<'_>) -> Verdict {
             None if rule.name == WATCHED && case.first_way().is_some() => (
                 Some(true),
                 text!(
-                    "Every positioning move but the way to the first place is watched, and a contact in it ends the program"
+                    "Every positioning move except the approach to the first position is watched, and a contact in it ends the program"
                 ),
                 Vec::new(),
             ),
@@ -714,12 +714,7 @@ fn feeds_stated(case: &RuleContext<'_>) -> Vec<Violation> {
     case.steps()
         .iter()
         .filter(|step| step.probes() && !step.states_feed)
-        .map(|step| {
-            (
-                Some(step.line),
-                text!("This probing block has no feed of its own"),
-            )
-        })
+        .map(|step| (Some(step.line), text!("This probing block has no feed")))
         .collect()
 }
 
@@ -736,7 +731,7 @@ fn no_low_rapid(case: &RuleContext<'_>) -> Vec<Violation> {
         .map(|(_, step)| {
             (
                 Some(step.line),
-                text!("This rapid goes down or across below the clearance plane"),
+                text!("This rapid moves down or across below the clearance plane"),
             )
         })
         .collect()
@@ -918,7 +913,7 @@ fn plausible_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
         breaks.push((
             Some(write.line),
             text!(
-                "The program does not come to this write though every result is within its limit"
+                "The program does not reach this write although every result is within its limit"
             ),
         ));
     }
@@ -997,7 +992,7 @@ fn place_within_limit(case: &RuleContext<'_>) -> Vec<Violation> {
                     .code(&path.formula.results[question.result])
                     .into_owned();
                 let message = text!(
-                    "This goes to {cycle} though {code} is off by more than its limit",
+                    "This moves to {cycle} although {code} deviates by more than its limit",
                     member.name.clone(),
                     code
                 );

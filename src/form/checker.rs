@@ -270,7 +270,7 @@ impl<'a, 'c> Section<'a, 'c> {
                     "unknown-key",
                     self.at(&shown),
                     text!(
-                        "{place} has no \"{key}\"; it knows {keys}",
+                        "{place} has no \"{key}\"; its keys are {keys}",
                         self.checker.place(self.path),
                         shown,
                         names.join(", ")
@@ -679,7 +679,7 @@ fn not_a_number(value: &Value, field: &Field) -> Text {
             );
         }
         return text!(
-            "{label} takes no tolerance, and \"{text}\" reads as one: enter {nominal} alone, or a sum as one number",
+            "{label} has no tolerance, but \"{text}\" reads as one: enter only {nominal}, or a sum as one number",
             field.label,
             printable(text),
             decimal(nominal, 6)

@@ -690,7 +690,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "tolerance-unsupported",
-        "This result takes no tolerance, or the program cannot act on it.",
+        "This result has no tolerance, or the program cannot act on it.",
     ),
     (
         "too-far",

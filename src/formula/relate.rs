@@ -74,12 +74,12 @@ pub static RELATIONS: [RelationDef; 5] = [
         values: line_of,
         problem: |of| {
             (apart(of[0], of[1]) < APART)
-                .then(|| text!("Both places are the same on the nominal part: no direction leads from one to the other"))
+                .then(|| text!("Both positions are the same on the nominal part, so there is no direction between them"))
         },
     },
     RelationDef {
         key: "center",
-        label: words!("Middle of places"),
+        label: words!("Midpoint of positions"),
         says: "their mean, as the middle of a rectangle from its corners",
         places: true,
         least: 2,
@@ -109,7 +109,7 @@ pub static RELATIONS: [RelationDef; 5] = [
             let flat = |radius: f64| radius.is_nan() || radius > 10_000.0;
             fit(of)
                 .is_none_or(|fit| flat(fit.radius))
-                .then(|| text!("These places lie on one line: they give no circle"))
+                .then(|| text!("These positions are on one line: they define no circle"))
         },
     },
     RelationDef {
@@ -298,7 +298,7 @@ fn pitch_circle<'f>(
         2.0 * radius,
         Some(diameter),
     );
-    let meaning = words!("Root mean square distance of the places from the pitch circle");
+    let meaning = words!("Root mean square distance of the positions from the pitch circle");
     f.result("residual", Role::Residual, meaning, 0.0, Some(residual));
     Some(datum)
 }
@@ -368,14 +368,14 @@ fn line<'f>(
     f.result(
         "distance",
         Role::Size,
-        words!("Distance from the first place to the second"),
+        words!("Distance from the first position to the second"),
         length,
         Some(distance),
     );
     f.result(
         "rotation",
         Role::Direction,
-        words!("Direction from the first place to the second"),
+        words!("Direction from the first position to the second"),
         nominal,
         Some(rotation),
     );

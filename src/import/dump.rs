@@ -86,7 +86,7 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
         checker.error(
             "nothing-to-import",
             "cycle.type",
-            text!("This dump gives no job: it holds no cycle type that is known"),
+            text!("This dump makes no job: it has no known cycle type"),
         );
         return Err(JobError {
             findings: checker.findings(),
@@ -94,7 +94,7 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     };
     if known.len() > 1 {
         let message = text!(
-            "The dump holds {count} cycles: the first that probes, {title}, is taken",
+            "The dump has {count} cycles: the first that probes, {title}, is used",
             known.len(),
             def.title
         );
@@ -179,7 +179,7 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
         let angular = only_angular(code, find(block, -59).unwrap_or(0.0));
         if field.kind != Kind::Flag && code != -2 && !angular {
             let message = text!(
-                "The dump has no code {code} ({label}): the default is taken",
+                "The dump has no code {code} ({label}): the default is used",
                 code,
                 field.label
             );
@@ -191,7 +191,7 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
         Kind::Flag if value == 0.0 || value == 1.0 => Some(Value::Flag(value == 1.0)),
         Kind::Flag => {
             let message = text!(
-                "Code {code} ({label}) must be 0 or 1, not {value}: the default is taken",
+                "Code {code} ({label}) must be 0 or 1, not {value}: the default is used",
                 code,
                 field.label,
                 crate::num::in_full(value)
@@ -216,7 +216,7 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
             own.push(*entry);
         } else {
             let message = text!(
-                "The dump has more than {most} custom codes: the first {most} are kept",
+                "The dump has more than {most} custom codes: the first {most} are used",
                 MOST
             );
             checker.warning("own-codes", "cycle.custom", message);
@@ -225,7 +225,7 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
     }
     if twice > 0 {
         let message = text!(
-            "{twice} custom codes are given more than once: the last value of each is kept",
+            "{twice} custom codes are given more than once: the last value of each is used",
             twice
         );
         checker.warning("own-codes", "cycle.custom", message);
@@ -307,7 +307,7 @@ fn place_touches(
     let (used, original) = (touches(block, -100), touches(block, -200));
     if used.is_empty() && original.is_empty() {
         let message = text!(
-            "The dump has no touch points (-100 or -200 and following): place and rotation of the feature are the defaults"
+            "The dump has no touch points (-100 or -200 and following): position and rotation of the feature are the defaults"
         );
         checker.warning("no-touches", "cycle.origin", message);
         return;
@@ -342,13 +342,14 @@ fn place_touches(
         Some(plane) => {
             set(job, "plane", Value::Text(plane.word().to_owned()));
             let message = text!(
-                "The touch points are not those that the dimensions alone would give: they are kept as they were picked"
+                "The touch points do not follow from the dimensions alone: they stay as they were picked"
             );
             checker.info("touches-kept", "cycle.touches", message);
         }
         None => {
-            let message =
-                text!("The touch points do not make this feature: see the job's own findings");
+            let message = text!(
+                "The touch points do not define this feature: see the other findings of the job"
+            );
             checker.warning("touches-unsound", "cycle.touches", message);
         }
     }
@@ -394,7 +395,7 @@ fn on_the_surface(
             )
         } else {
             text!(
-                "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
+                "The points are ball centres, and without the original ones (-200 and following) the dump does not specify the ball"
             )
         };
         // The job has the form's default ball if the dump gives none.
@@ -423,7 +424,7 @@ fn on_the_surface(
             .any(|(o, u)| o.point.distance(u.point) > SAME)
     {
         let message = text!(
-            "The used points (-100 and following) differ from the original ones (-200): the used ones are taken"
+            "The used points (-100 and following) differ from the original ones (-200): the used ones count"
         );
         checker.info("points-differ", "cycle.touches", message);
     }

@@ -106,7 +106,7 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     if units != Units::of(&job) {
         job = convert_units(&job, units.word())?;
         let message = text!(
-            "The blocks are in {units} and the header's job is not: what only the header says is converted, and the numbers of the cycle are taken in {units}",
+            "The blocks are in {units} and the header's job is not: values that only the header has are converted, and the numbers of the cycle are read in {units}",
             units.word()
         );
         checker.warning("units-differ", "units", message);
@@ -135,7 +135,7 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
         }
     }
     let message = text!(
-        "The blocks differ from what the header's job makes: their values are used, the rest is the header's"
+        "The blocks differ from the program of the header's job: their values are used, the rest comes from the header"
     );
     checker.warning("program-differs", "", message);
     let findings = checker
@@ -309,8 +309,7 @@ impl Reader {
     fn two_circles(&mut self, block: &str) {
         self.found += 1;
         if self.found > 1 {
-            let message =
-                text!("The program holds cycle 1411 more than once: the first one is taken");
+            let message = text!("The program has cycle 1411 more than once: the first one is used");
             self.checker.warning("several-cycles", "", message);
             return;
         }
@@ -377,7 +376,7 @@ impl Reader {
             .any(|block| states(&block.to_ascii_uppercase()));
         if found > 0 && !stated && !says(blocks, "G70") && !says(blocks, "G71") {
             let message = text!(
-                "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken"
+                "The text does not state its units (BEGIN PGM … MM or INCH, G70 or G71): mm is assumed"
             );
             checker.warning("units-unknown", "units", message);
         }
@@ -402,7 +401,7 @@ impl Reader {
         }
         if let Some(block) = moves {
             let message = text!(
-                "Blocks before the cycle move the axes (first: {block}), so the stylus does not start where the job says",
+                "Blocks before the cycle move the axes (first: {block}), so the stylus does not start at the position in the job",
                 block
             );
             checker.warning("moves-before-cycle", "cycle.start", message);
@@ -421,12 +420,12 @@ impl Reader {
             checker.info(
                 "not-in-program",
                 "plane",
-                text!("This program does not say the tool axis: the plane G17 is taken"),
+                text!("This program does not state the tool axis: the plane G17 is assumed"),
             );
         }
         if !transformed.is_empty() {
             let message = text!(
-                "Blocks before the cycle shift, turn, mirror, scale or tilt the work coordinate system: the job knows nothing of that"
+                "Blocks before the cycle shift, rotate, mirror, scale or tilt the work coordinate system: the job does not include that"
             );
             checker.warning("places-transformed", "", message);
         }
@@ -545,7 +544,7 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
             }
             (None, _) if is_geometry(&key) => {
                 let message = text!(
-                    "Q{number} is not given: no default stands for a position or a diameter, and the control refuses the block",
+                    "Q{number} is not given: a position or diameter has no default, and the control refuses the block",
                     number.to_string()
                 );
                 checker.error("missing-parameter", path, message);

@@ -89,7 +89,7 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         checker.error(
             "nothing-to-import",
             "",
-            text!("The header's job has a cycle that is not known here"),
+            text!("The header's job has an unknown cycle"),
         );
         return Err(JobError {
             findings: checker.findings(),
@@ -579,7 +579,7 @@ fn compare(text: &str, said: &HeaderLines<'_>, plan: &Plan, checker: &mut Checke
     };
     let message = match line {
         Some(line) => text!(
-            "Line {line} differs from what the header's job makes.{by_hash} The job read is the header's: changes in the program are not in it",
+            "Line {line} differs from the program of the header's job.{by_hash} The header's job is used: it does not include changes of the program",
             line + 1,
             by_hash
         ),
@@ -661,7 +661,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         checker.error(
             "not-understood",
             "",
-            text!("This is a program for RepRapFirmware, which is not known here"),
+            text!("This is a program for RepRapFirmware, which is not supported"),
         );
         return Some(Err(JobError {
             findings: checker.findings(),
@@ -691,7 +691,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         checker.info(
             "no-job-in-program",
             "",
-            text!("The program holds no job: its moves are read, but they give no job"),
+            text!("The program contains no job: its moves are read, but they make no job"),
         );
         let mut findings = checker.findings();
         // Both readers take positions as written.

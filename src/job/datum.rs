@@ -38,7 +38,7 @@ pub fn read(
             {
                 let shown = crate::form::printable(key);
                 let message = text!(
-                    "datum has no \"{key}\"; it knows {keys}",
+                    "datum has no \"{key}\"; its keys are {keys}",
                     shown.clone(),
                     DATUM.join(", ")
                 );
@@ -127,11 +127,11 @@ fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
         let early = name(*early);
         let message = match moves {
             true => text!(
-                "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
+                "Native cycles write right after measuring: the write of {early} would shift everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
                 early
             ),
             false => text!(
-                "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last",
+                "Native cycles write right after measuring: the write of {early} would shift everything that is measured after it. Only the last cycle of a set-up may write: put it last",
                 early
             ),
         };
@@ -153,12 +153,12 @@ fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
         let (name, axes) = (name(members.len() - 1), unwanted.join(", "));
         let message = match moves {
             true => text!(
-                "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
+                "The native cycle of {name} writes everything that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
                 name,
                 axes
             ),
             false => text!(
-                "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, or choose no work offset",
+                "The native cycle of {name} writes everything that it measures, {axes} too: let it write them, or choose no work offset",
                 name,
                 axes
             ),
@@ -169,11 +169,11 @@ fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
         let message = match moves {
             true => {
                 text!(
-                    "The control's own cycles write no rotation that another cycle has measured: use the form \"moves\""
+                    "Native cycles write no rotation that another cycle has measured: use the form \"moves\""
                 )
             }
             false => {
-                text!("The control's own cycles write no rotation that another cycle has measured")
+                text!("Native cycles write no rotation that another cycle has measured")
             }
         };
         checker.error("set-up-unsupported", "datum.rotation", message);
@@ -193,12 +193,12 @@ fn unknown_datum(text: &str, axis: usize, all: &[Candidate]) -> Text {
     );
     match known.is_empty() {
         true => text!(
-            "Nothing that this set-up measures can be written into {axis}: \"{name}\" cannot either",
+            "No result of this set-up can be written into {axis}, including \"{name}\"",
             what,
             shown
         ),
         false => text!(
-            "\"{name}\" cannot be written into {axis}: that takes {known}",
+            "\"{name}\" cannot be written into {axis}: possible are {known}",
             shown,
             what,
             known.join(", ")

@@ -271,7 +271,7 @@ fn not_a_sum(text: &str, kind: Kind) -> Text {
     let given: String = printable(text).chars().take(LONGEST_PLACE).collect();
     match kind {
         Kind::Place(_) => text!(
-            "\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5",
+            "\"{given}\" is no position: enter a result of an earlier cycle and a number, as in =TOP.z-5",
             given
         ),
         Kind::Rotation => text!(
@@ -334,7 +334,7 @@ fn find(name: &str, kind: Kind, earlier: &EarlierCycles<'_>) -> Result<Known, Te
     let names = crate::geom::AXIS_NAMES;
     match (kind, result.axis) {
         (Kind::Place(axis), Some(own)) if own != axis => Err(text!(
-            "{name} is a place along {axis}, and this one is along {other}",
+            "{name} is a position along {axis}, and this one is along {other}",
             printable(name),
             names[own],
             names[axis]
@@ -346,7 +346,10 @@ fn find(name: &str, kind: Kind, earlier: &EarlierCycles<'_>) -> Result<Known, Te
 /// Message that nothing of this name is measured before the cycle, with the names of the results that are.
 fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
     let nothing = match kind {
-        Kind::Place(_) => text!("No cycle before this one measures a place \"{name}\"", name),
+        Kind::Place(_) => text!(
+            "No cycle before this one measures a position \"{name}\"",
+            name
+        ),
         Kind::Rotation => text!(
             "No cycle before this one measures a direction \"{name}\"",
             name
@@ -364,10 +367,10 @@ fn cannot_follow(job: &Job) -> Option<Text> {
     if several(job).is_some() || job.form == ProgramForm::Cycle {
         return Some(match job.post.moves() {
             true => text!(
-                "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
+                "Native cycles store their results in variables, and this program does not compute with those: use the form \"moves\""
             ),
             false => text!(
-                "The control's own cycles keep their results in variables, and this program does not compute with those: no cycle can follow a result on this control"
+                "Native cycles store their results in variables, and this program does not compute with those: no cycle can follow a result on this control"
             ),
         });
     }
@@ -385,7 +388,7 @@ fn missing_limit(job: &Job, kind: Kind) -> Option<Text> {
         Kind::Place(_) => (
             job.limits.position,
             text!(
-                "A place that follows a result needs \"Position limit\": how far from the nominal place the path may be shifted"
+                "A position that follows a result requires \"Position limit\": the largest shift of the path from its nominal position"
             ),
         ),
         Kind::Rotation => (
@@ -513,7 +516,7 @@ fn check_turn(checker: &mut Checker, planned: &PlannedJob, about: Vec3, index: u
     let most = job.limits.position.unwrap_or(f64::INFINITY);
     if far > most {
         let message = text!(
-            "Turned by \"Angle limit\", this cycle lies {far} off its nominal place, and \"Position limit\" allows {limit}: on such a part the program stops before it writes",
+            "Rotated by \"Angle limit\", this cycle is {far} off its nominal position, and \"Position limit\" allows {limit}: on such a part the program stops before it writes",
             checker.length(far),
             checker.length(most)
         );
@@ -548,7 +551,7 @@ fn along(
     };
     let (less, more) = (at(-limit)?, at(limit)?);
     SizeSensitivity::of(&less, path, &more, limit).ok_or_else(|| {
-        text!("This size cannot follow a result: the moves of the cycle do not go along with it evenly")
+        text!("This size cannot follow a result: the moves of the cycle are not linear in it")
     })
 }
 

@@ -184,11 +184,11 @@ pub fn report_judged(
     if let Some(what) = stops_for(path, &run.triggers, rows, checker) {
         let message = match writes {
             true => text!(
-                "On this part the control's own cycle stops with a message before it writes: {what}",
+                "On this part the native cycle stops with a message before it writes: {what}",
                 what
             ),
             false => text!(
-                "On this part the control's own cycle stops with a message: {what}",
+                "On this part the native cycle stops with a message: {what}",
                 what
             ),
         };
@@ -233,7 +233,7 @@ pub fn report_judged(
             what
         ),
         (false, _) => text!(
-            "On this part a result is implausible, and the program does not ask: {what}",
+            "On this part a result is implausible, and the program does not check it: {what}",
             what
         ),
     };

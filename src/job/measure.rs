@@ -159,7 +159,7 @@ fn block(
             away.clone()
         )),
         (None, None) => Err(text!(
-            "the log does not say which work offset the program ran in. Write it as the first line: G54 … G59"
+            "the log does not state the work offset of the program. Write it as the first line: G54 … G59"
         )),
         (None, Some(offset)) => Ok(offset),
     };
@@ -182,7 +182,7 @@ fn block(
     };
     let block = typed(&request(planned, &feeds, None), measured, offset)?;
     let message = text!(
-        "Type {block} once the program has ended and before anything else moves: it states what the present position reads, so that the measured place reads its nominal value",
+        "Type {block} after the program has ended and before anything else moves: it sets the displayed position, so that the measured position reads its nominal value",
         block.clone()
     );
     checker.info("block-to-type", "measured", message);
@@ -193,7 +193,7 @@ fn block(
         .any(|result| result.role == Role::Direction && result.variable.is_some());
     if turned {
         let message = text!(
-            "The rotation that is measured is not written, since {control} has no rotation: the work offset is right at the measured place only",
+            "The measured rotation is not written, since {control} has no rotation: the work offset is correct at the measured position only",
             job.post.title
         );
         checker.info("rotation-not-written", "measured", message);

@@ -45,7 +45,7 @@ pub fn form_problem(job: &Value) -> Option<Text> {
         _ => None,
     };
     let Some(def) = def else {
-        return Some(text!("cycle.type must name a cycle that is known here"));
+        return Some(text!("cycle.type must be a known cycle"));
     };
     let sections = SECTIONS.iter().map(|form| {
         if form.key.is_empty() {
@@ -199,7 +199,7 @@ mod tests {
             (r#"{ "cycle": 5 }"#, "cycle must be an object"),
             (
                 r#"{ "cycle": { "type": "well" } }"#,
-                "cycle.type must name a cycle that is known here",
+                "cycle.type must be a known cycle",
             ),
             (
                 r#"{ "cycle": { "type": "hole", "custom": {} } }"#,

@@ -37,7 +37,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<PlannedJob> {
         checker.info(
             "other-form",
             "control.form",
-            text!("The control takes this job in the form \"cycle\""),
+            text!("The control supports this job in the form \"cycle\""),
         );
     }
     planned
@@ -83,12 +83,12 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
         };
         let message = match post.unused.contains(&key) {
             true => text!(
-                "Programs for {title} do not use \"{field}\": it changes nothing",
+                "Programs for {title} do not use \"{field}\": it has no effect",
                 post.title.to_owned(),
                 Text::words(field.label)
             ),
             false => text!(
-                "The control's own cycles do not use \"{field}\": it changes nothing",
+                "Native cycles do not use \"{field}\": it has no effect",
                 Text::words(field.label)
             ),
         };
@@ -231,8 +231,9 @@ fn report_rules(job: &Job, verdicts: &[Verdict], checker: &mut Checker) {
         checker.warning("positioning-not-watched", "control.protection", message);
     }
     if broken(NO_LOW_RAPID) {
-        let message =
-            text!("A rapid goes down or across below the clearance plane, and nothing watches it");
+        let message = text!(
+            "A rapid moves down or across below the clearance plane without watching the probe"
+        );
         checker.warning("low-rapid", "feeds", message);
     }
 }
@@ -252,7 +253,7 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
         .is_none_or(|datum| datum.rotation.is_some());
     if job.work_offset.is_some() && measured && !written {
         let message = text!(
-            "The rotation that is measured is not written: the work offset is right at the measured place only"
+            "The measured rotation is not written: the work offset is correct at the measured position only"
         );
         checker.info("rotation-not-written", "control.workOffset", message);
     }
@@ -274,7 +275,7 @@ fn report_at_start(job: &Job, path: &Path, run: &part::PartRun, checker: &mut Ch
         return;
     };
     let message = text!(
-        "Touch {touch} triggers {way} after its start: the program takes a contact within {least} of the start for a probe that is still deflected, and stops with an alarm",
+        "Touch {touch} triggers {way} after its start: the program treats a contact within {least} of the start as a probe that is still deflected, and stops with an alarm",
         k + 1,
         checker.length(way),
         checker.length(job.post.nearest_trigger)
@@ -311,12 +312,12 @@ fn report_own(path: &Path, checker: &mut Checker) {
         .any(|step| matches!(step.purpose, MovePurpose::Search(_)));
     let message = if twice {
         text!(
-            "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
+            "The moves shown are those of the native cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
             calls
         )
     } else {
         text!(
-            "The moves shown are those of the control's own cycles (measuring calls: {calls}): they choose the order and their feeds",
+            "The moves shown are those of the native cycles (measuring calls: {calls}): they choose the order and their feeds",
             calls
         )
     };
@@ -333,7 +334,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
 fn report_still(path: &Path, checker: &mut Checker) {
     if matches!(path.feature, Feature::Unmoving) && path.calls.is_none() {
         let message = text!(
-            "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for is in the parameter table only, for a postprocessor"
+            "This program switches and moves nothing: it states its modes and ends. The settings of the cycle are only in the parameter table, for a postprocessor"
         );
         checker.warning("nothing-switched", "cycle", message);
     }
@@ -343,7 +344,7 @@ fn report_still(path: &Path, checker: &mut Checker) {
 fn report_predefined(job: &Job, checker: &mut Checker) {
     for (field, label) in job.cycle.predefined_fields() {
         let what = text!(
-            "The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here",
+            "The {label} is PREDEF: its value is in the control's GLOBAL DEF and unknown here",
             label
         );
         if job.form == ProgramForm::Moves {
@@ -653,7 +654,7 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
         }
         Refusal::TooLong(most) => {
             let message = text!(
-                "A block of the program would have more than {most} characters, which the control does not read: shorter names of cycles make it shorter",
+                "A block of the program would have more than {most} characters, which the control does not read: use shorter names of cycles",
                 most
             );
             checker.error("block-too-long", "control.post", message);
@@ -927,7 +928,7 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         return;
     }
     let message = text!(
-        "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches lie too near to each other, or too far from it",
+        "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches are too close to each other, or too far from it",
         worst.said.meaning.clone(),
         decimal(times(worst), 0),
         checker.length(sigma(worst) * job.scale)

@@ -205,7 +205,7 @@ fn read_one(
     {
         let shown = printable(key);
         let message = text!(
-            "A relation has no \"{key}\"; it knows name, type and of",
+            "A relation has no \"{key}\"; its keys are name, type and of",
             shown.clone()
         );
         checker.error("unknown-key", format!("{RELATIONS}[{i}].{shown}"), message);
@@ -253,7 +253,7 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
             checker.error(
                 "missing",
                 at,
-                text!("A relation needs a name, which stands in front of its results"),
+                text!("A relation needs a name, the prefix of its results"),
             );
             return None;
         }
@@ -269,7 +269,7 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
     }
     if taken.iter().any(|other| other.eq_ignore_ascii_case(name)) {
         let message = text!(
-            "Another cycle or relation is called {name}, too",
+            "Another cycle or relation has the name {name}, too",
             name.clone()
         );
         checker.error("cycle-name", at, message);
@@ -345,12 +345,12 @@ fn read_of(
     if !(least..=most.unwrap_or(MOST_CYCLES)).contains(&list.len()) {
         let message = match most {
             Some(most) if most == least => text!(
-                "This relation is of exactly {wanted}, not of {count}",
+                "This relation needs exactly {wanted} operands, not {count}",
                 most,
                 list.len()
             ),
             _ => text!(
-                "This relation is of at least {least}, not of {count}",
+                "This relation needs at least {least} operands, not {count}",
                 least,
                 list.len()
             ),
@@ -364,7 +364,7 @@ fn read_of(
         match read_operand(given, known, relation.places, &at) {
             Err((code, message)) => checker.error(code, at, message),
             Ok((operand, name)) if of.contains(&operand) => {
-                checker.error("relation-of", at, text!("{name} is named twice", name));
+                checker.error("relation-of", at, text!("{name} is listed twice", name));
             }
             Ok((operand, _)) => of.push(operand),
         }
@@ -395,7 +395,7 @@ fn read_operand(
     found.map(|operand| (operand, name.clone())).ok_or_else(|| {
         let message = match places {
             true => text!(
-                "\"{name}\" measures no place in the plane. These do: {known}",
+                "\"{name}\" measures no position in the plane. These do: {known}",
                 printable(name),
                 known.places().join(", ")
             ),
@@ -520,7 +520,7 @@ pub fn check_circles(checker: &mut Checker, whole: &PlannedJob) {
             continue;
         };
         let message = text!(
-            "The nominal places are {off} off one circle, more than \"Residual limit\", {limit}",
+            "The nominal positions deviate by {off} from one circle, more than \"Residual limit\", {limit}",
             checker.length(off),
             checker.length(limit)
         );

@@ -129,7 +129,7 @@ const FORMS: &[Choice] = &[
     },
     Choice {
         value: ProgramForm::Cycle.word(),
-        label: "The control's own cycle",
+        label: "The native cycle",
     },
 ];
 
@@ -206,11 +206,11 @@ form! {
         diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).in_inch(0.236).range(0.0, 100.0).usual(0.3, 20.0).group("Probe"),
         /// One sigma of a single touch along its probing direction.
         repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).in_inch(0.00005).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
-        /// From the ball centre up to the probe body. Empty: not known, and the probe body is not checked.
+        /// From the ball centre up to the probe body. Empty: unknown; the probe body is then not checked.
         length: Option<f64> = Field::length("length", "Stylus length", 50.0).range(0.1, 1000.0).usual(5.0, 200.0).null_by_default().null_means("not known").group("Probe"),
-        /// Diameter of the stylus above the ball. Empty: not known.
+        /// Diameter of the stylus above the ball. Empty: unknown.
         shank: Option<f64> = Field::length("shank", "Shank diameter", 4.0).range(0.05, 100.0).usual(0.2, 20.0).null_by_default().null_means("not known").group("Probe"),
-        /// Diameter of the probe body above the stylus. Empty: not known.
+        /// Diameter of the probe body above the stylus. Empty: unknown.
         body: Option<f64> = Field::length("body", "Body diameter", 40.0).range(1.0, 500.0).usual(10.0, 100.0).null_by_default().null_means("not known").group("Probe"),
         /// Eccentricity: half the total indicator reading at the ball over one spindle revolution. Adds to the uncertainty unless the spindle is oriented. Empty: unknown.
         runout: Option<f64> = Field::length("runout", "Ball eccentricity", 0.01).range(0.0, 10.0).usual(0.0, 0.1).null_by_default().null_means("not known").group("Probe"),
@@ -226,7 +226,7 @@ form! {
         size: Option<f64> = Field::length("size", "Size limit", USUAL_SIZE).range(0.001, 1000.0).usual(0.01, 5.0).null_means("no limit").group("Feeds and limits"),
         /// Largest deviation of a measured angle or direction.
         angle: Option<f64> = Field::angle("angle", "Angle limit", 1.0).range(0.001, 180.0).usual(0.01, 15.0).null_means("no limit").group("Feeds and limits"),
-        /// Largest root mean square distance of the touches from the circle or wall that is fitted through them, where there are touches to spare.
+        /// Largest root mean square distance of the touches from the fitted circle or wall, if there are more touches than the fit needs.
         residual: Option<f64> = Field::length("residual", "Residual limit", 0.1).range(0.001, 1000.0).usual(0.005, 1.0).null_means("no limit").group("Feeds and limits"),
     }
 }
@@ -264,7 +264,7 @@ form! {
     pub struct Control {
         /// Which control the program is for.
         post: String = Field::choice("post", "Control", POST_CHOICES).group("Program and machine"),
-        /// Plain moves: every move written out, on the job's path. The native cycle: a few calls, on the cycle's own path, which is shown.
+        /// Plain moves: every move is written out, on the job's path. Native cycle: a few calls, on the cycle's own path, which is shown.
         form: String = Field::choice("form", "Program form", FORMS).group("Program and machine"),
         /// The work offset that the program writes at its end: 1 is G54. Empty: measure only.
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Program and machine"),
@@ -272,7 +272,7 @@ form! {
         protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Program and machine"),
         /// A dry run makes the same moves without a part: a touch ends at its nominal contact, a contact anywhere stops it, and nothing is written.
         run: String = Field::choice("run", "Run", RUNS).group("Program and machine"),
-        /// How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine.
+        /// Height along the tool axis by which a dry run is raised: above the part it can run with the part in the machine.
         lift: f64 = Field::length("lift", "Height of a dry run", 0.0).range(0.0, 1000.0).usual(0.0, 300.0).group("Program and machine"),
         /// Detail of the header comments. A header with the whole job lets Touchpath reopen the program.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Program and machine"),
@@ -286,7 +286,8 @@ form! {
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Program and machine"),
         /// SET_UP of the touch probe table: native cycles add it to their set-up clearance.
         set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Program and machine"),
-        /// Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000.
+        /// Number of the program, on controls whose programs have one. Empty: the four digits at the end of the program name (O2201, BORE2201; not a size such
+        /// as D1200), else 1000.
         number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program and machine"),
     }
 }
@@ -574,11 +575,11 @@ impl Job {
                 .is_some_and(|(def, ..)| (post.supports)(def.probes, ProgramForm::Moves).is_ok());
             let message = match takes_moves {
                 true => text!(
-                    "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
+                    "Native cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
                 ),
                 false => {
                     text!(
-                        "The control's own cycles touch each point as often as the control is set to: touch each point once"
+                        "Native cycles touch each point as often as the control is set to: touch each point once"
                     )
                 }
             };
@@ -681,7 +682,7 @@ fn read_format(checker: &mut Checker, value: &Value) {
         None => checker.error(
             "missing",
             "format",
-            text!("The job must say its format: 1, or 2 with a list of cycles"),
+            text!("The job must specify its format: 1, or 2 with a list of cycles"),
         ),
         Some(_) => checker.error("unknown-value", "format", text!("The format must be 1")),
     }
@@ -724,7 +725,7 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
             checker.error(
                 "missing",
                 "cycle.type",
-                text!("The cycle must say its type: one of {known}", known()),
+                text!("The cycle must specify its type: one of {known}", known()),
             );
             return None;
         }
@@ -792,11 +793,11 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         }) {
             Ok(()) => {
                 text!(
-                    "The control's own cycle touches by itself: a dry run is a program of moves. Use the form \"moves\""
+                    "The native cycle touches automatically: a dry run is a program of moves. Use the form \"moves\""
                 )
             }
             Err(_) => text!(
-                "The control's own cycle touches by itself, and {title} takes no moves: it has no dry run",
+                "The native cycle touches automatically, and {title} supports no moves: there is no dry run",
                 post.title.to_owned()
             ),
         };
@@ -806,7 +807,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         checker.info(
             "lift-unused",
             "control.lift",
-            text!("Only a dry run is lifted: this height changes nothing"),
+            text!("Only a dry run is raised: this height has no effect"),
         );
     }
     if control.number.is_some() && post.unused.contains(&"number") {
@@ -870,8 +871,7 @@ fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
     }
     if (answer.matrix[2][0] - 1.0).abs() > 1e-9 {
         let message = text!(
-            "The probe's length L1 must act along the tool axis of {plane}, +{axes}, or the control takes the ball to be somewhere else. With \
-             this tool type, frame and setting data {answer}",
+            "The probe's length L1 must act along the tool axis of {plane}, +{axes}, or the control computes a wrong ball position. With this tool type, frame and setting data {answer}",
             query.plane.word(),
             AXIS_NAMES[query.plane.axes()[2]],
             sentence(query.plane, &answer)

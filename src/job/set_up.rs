@@ -113,7 +113,7 @@ impl Reading<'_> {
         }
         if job.as_ref().is_some_and(|job| job.def.most_touches == 0) {
             let message = text!(
-                "{cycle} measures nothing: a set-up takes only cycles that touch the part",
+                "{cycle} measures nothing: a set-up can only contain cycles that touch the part",
                 name.clone()
             );
             own.error("set-up-unsupported", "cycle.type", message);
@@ -202,7 +202,7 @@ fn own_cycles(
         Ok(several) => several,
         Err(why) => {
             let message = text!(
-                "A set-up of the control's own cycles: {why}",
+                "A set-up of native cycles: {why}",
                 job.post.control_text(why)
             );
             checker.error("set-up-unsupported", "cycles", message);
@@ -213,7 +213,7 @@ fn own_cycles(
         |planned: &PlannedJob| planned.path.calls.is_none() && planned.native_rejections.is_empty();
     if let Some(i) = members.iter().position(has_own_program) {
         let message = text!(
-            "{cycle}: this cycle has a program of its own: it cannot be one of several",
+            "{cycle}: this cycle has a separate program: it cannot be one of several",
             names[i].clone()
         );
         checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
@@ -275,7 +275,7 @@ fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]>
         _ => checker.error(
             "unknown-value",
             "format",
-            text!("A job with a list of cycles must say format 2"),
+            text!("A job with a list of cycles must have format 2"),
         ),
     }
     if value.get("cycle").is_some() {
@@ -341,7 +341,7 @@ fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
             .position(|other| other.eq_ignore_ascii_case(name))
         {
             let message = text!(
-                "Cycles {one} and {other} are both called {name}",
+                "Cycles {one} and {other} have the same name, {name}",
                 first + 1,
                 i + 1,
                 name.clone()
@@ -361,7 +361,7 @@ fn check_sizes(checker: &mut Checker, value: &Value, names: &[String]) {
         if !names.iter().any(|name| name.eq_ignore_ascii_case(of)) {
             let shown = crate::form::printable(key);
             let message = text!(
-                "No cycle here has the size \"{key}\": name a size after its cycle, as in {example}",
+                "No cycle here has the size \"{key}\": write the cycle in front of the size, as in {example}",
                 shown.clone(),
                 format!("{}.depth", names[0])
             );
@@ -570,7 +570,7 @@ pub fn check(whole: &PlannedJob, checker: &mut Checker) {
         && job.form == crate::control::ProgramForm::Moves
     {
         let message =
-            text!("In a set-up cycle 1411 uses the feeds of the job, not its own probing feed");
+            text!("In a set-up, cycle 1411 uses the feeds of the job instead of its probing feed");
         checker.info("feeds-of-set-up", "feeds", message);
     }
     report_order(whole, checker);
@@ -607,7 +607,7 @@ fn report_order(whole: &PlannedJob, checker: &mut Checker) {
         .map(|member| member.name.as_str())
         .collect();
     let message = text!(
-        "{top} measures the height of the part after {others}: on a part that lies higher or lower they touch at another depth. Probe the top first",
+        "{top} measures the height of the part after {others}: on a higher or lower part they touch at another depth. Probe the top first",
         path.cycles[top].name.clone(),
         earlier.join(", ")
     );

@@ -57,7 +57,7 @@ fn report_struck(
         StylusPart::Body => (
             text!("the probe body"),
             text!(
-                "this stylus takes the ball centre {length} below the top side at most, and the path goes {depth} below it",
+                "this stylus reaches at most {length} below the top side with its ball centre, and the path goes {depth} below it",
                 length,
                 checker.rounded_up(highest(path, surfaces) - lowest(path))
             ),

@@ -108,7 +108,7 @@ fn add_sizes(checker: &mut Checker, planned: &PlannedJob, all: &mut Vec<Given<'_
             let results = &cycle.path.formula.results;
             let Some(index) = results.iter().position(|result| result.code == code) else {
                 let message = text!(
-                    "{result} is not measured here: it takes no tolerance",
+                    "{result} is not measured here, so it has no tolerance",
                     Text::words(sized.field.label)
                 );
                 checker.error("tolerance-unsupported", path, message);
@@ -156,7 +156,7 @@ fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
         };
         if all.iter().any(|(_, other, _)| kept(other.tool)) || all.iter().any(other_mean) {
             let message = text!(
-                "The macro keeps its values in the offsets {store} and {next}: no tool and no other mean may use them",
+                "The macro stores its values in the offsets {store} and {next}: no tool and no other mean may use them",
                 store,
                 store + 1
             );
@@ -199,12 +199,12 @@ fn one(
     if def.variable.is_none() || path_of_job.feature.two_circles().is_some() {
         let message = match def.variable {
             None => text!(
-                "{result} is not measured here: it takes no tolerance",
+                "{result} is not measured here, so it has no tolerance",
                 Text::words(def.meaning)
             ),
-            Some(_) => text!(
-                "Cycle 1411 has tolerances of its own, in its diameters and points: give them there"
-            ),
+            Some(_) => {
+                text!("Cycle 1411 has tolerances in its diameters and points: enter them there")
+            }
         };
         checker.error("tolerance-unsupported", path, message);
         return None;
@@ -215,7 +215,7 @@ fn one(
         check_middle(checker, limits, def, at);
         if own.limits.size.is_none() {
             let message = text!(
-                "Without \"Size limit\" the macro corrects the tool by whatever it meets, a chip or a wrong part too: enter a limit"
+                "Without \"Size limit\" the macro corrects the tool from any contact, also with a chip or a wrong part: enter a limit"
             );
             checker.warning("wear-unlimited", format!("{at}.wear"), message);
         }
@@ -246,7 +246,7 @@ fn check_keys(checker: &mut Checker, entry: &Value, at: &str) -> Option<()> {
     {
         let shown = printable(key);
         let message = text!(
-            "A tolerance has no \"{key}\"; it knows tolerance, action and wear",
+            "A tolerance has no \"{key}\"; its keys are tolerance, action and wear",
             shown.clone()
         );
         checker.error("unknown-key", format!("{at}.{shown}"), message);
@@ -332,9 +332,7 @@ fn consequence(
         }
     };
     let why = match job.form {
-        ProgramForm::Cycle => Some(words!(
-            "the control's own cycles do not compare their results with it"
-        )),
+        ProgramForm::Cycle => Some(words!("native cycles do not compare their results with it")),
         ProgramForm::Moves if !job.post.computes => Some(words!(
             "{control} computes no results: the operator must judge them"
         )),
@@ -410,11 +408,11 @@ fn read_wear(
         || !own.post.own.is_some_and(|cycles| cycles.corrects_tools)
     {
         Some(text!(
-            "only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"
+            "only the macros of Fanuc-type controls do that: use the form \"cycle\" there"
         ))
     } else if related {
         Some(text!(
-            "the macros correct a tool only by what they measure themselves"
+            "the macros correct a tool only from their own measurement"
         ))
     } else if def.role != Role::Size || path.feature.two_circles().is_some() {
         Some(text!("the macros correct a tool by a width or a diameter"))

@@ -18,7 +18,7 @@ form! {
         /// Of how many parts the mean of the errors counts. Empty: each part corrects it.
         parts: Option<i32> = Field::count("parts", "Mean of parts", 3, 2, 99).null_by_default().null_means("each part"),
         /// With a mean: the first of two tool offsets, of no tool, in which the macro keeps its values.
-        store: Option<i32> = Field::count("store", "Kept in offset", 1, 1, 998).null_by_default().null_means("no mean"),
+        store: Option<i32> = Field::count("store", "Stored in offset", 1, 1, 998).null_by_default().null_means("no mean"),
     }
 }
 
@@ -85,7 +85,7 @@ pub fn read(
         _ if checker.failed() => {}
         (Some(_), None) => {
             let message = text!(
-                "The mean of several parts needs store, a tool offset that no tool has: the macro keeps its values there"
+                "The mean of several parts requires store, a tool offset that no tool uses: the macro stores its values there"
             );
             checker.error("missing", at("store"), message);
         }
@@ -93,7 +93,7 @@ pub fn read(
             checker.error(
                 "missing",
                 at("parts"),
-                text!("store keeps the values of several parts: parts says of how many"),
+                text!("store keeps the values of several parts: specify their number in parts"),
             );
         }
         _ => {}
@@ -141,7 +141,7 @@ pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut
             )
         } else if let Some((parts, store)) = wear.mean {
             text!(
-                "{result} is off by {error}: the macro keeps that in offset {store}, and corrects tool offset {tool} by {percent} % of the mean of {parts} parts",
+                "{result} deviates by {error}: the macro stores that in offset {store}, and corrects tool offset {tool} by {percent} % of the mean of {parts} parts",
                 result,
                 off,
                 store,

@@ -332,7 +332,7 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
     let grade = grade_of(class, grade_text).ok_or_else(unknown)?;
     if !(size > 0.0 && size <= 500.0 + AT_BAND_END) {
         return Err(text!(
-            "ISO 286 is known here for sizes above 0 up to 500 mm, not for {size} mm",
+            "ISO 286 tolerances are supported for sizes above 0 up to 500 mm, not for {size} mm",
             decimal(size, 4)
         ));
     }

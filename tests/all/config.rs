@@ -139,7 +139,7 @@ fn a_job_that_names_no_control_gets_one_that_is_allowed_and_takes_its_cycle() {
         ),
         "linuxcnc"
     );
-    // A form that is allowed is looked for, too: LinuxCNC has no cycles of its own.
+    // A form that is allowed is looked for, too: LinuxCNC has no native cycles.
     for allow in [
         r#""forms": ["cycle"]"#,
         r#""forms": ["cycle"], "controls": ["linuxcnc", "haas"]"#,

@@ -99,7 +99,7 @@ fn a_cycle_that_sets_rotation_and_preset_was_said_to_measure_only() {
     assert_eq!(circles(1, 0, 0, "G19").writes, ["preset Y", "preset Z"]);
 }
 
-/// A position that the operator shows is not known here, and the control corrects its preset by it all the same.
+/// A position that the operator shows is unknown, and the control corrects its preset by it all the same.
 #[test]
 fn an_object_whose_place_is_not_known_corrects_the_preset_too() {
     let job = with(

@@ -74,7 +74,7 @@ fn taken(argument: &Argument) -> String {
 }
 
 fn calls_page() -> String {
-    let mut page = "# Cycles of the control's own
+    let mut page = "# Native cycles
 
 What programs call, and what each argument means, as [programs you have](programs-you-have.md) are explained. Lengths are in the program's units, angles in degrees. *Recalled* is not verified on a control.
 "

@@ -368,6 +368,6 @@ fn a_size_that_is_no_number_says_what_to_enter() {
     assert!(
         check(&with(&moved, "feeds.approach", text("2000+0.5")))[0]
             .message
-            .contains("takes no tolerance")
+            .contains("has no tolerance")
     );
 }

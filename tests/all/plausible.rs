@@ -426,7 +426,7 @@ fn own_cycle(post: &str, cycle: &str, part: &str, offset: &str) -> Vec<String> {
 fn renishaws_macros_stop_as_their_letters_say() {
     let hole = r#"{ "type": "hole", "diameter": 40 }"#;
     let corner = r#"{ "type": "double-wall-internal-corner" }"#;
-    let stops = "On this part the control's own cycle stops with a message: ";
+    let stops = "On this part the native cycle stops with a message: ";
     for (cycle, part, says) in [
         (hole, r#""sizes": { "diameter": 0.4 }"#, None),
         (hole, r#""sizes": { "diameter": 0.6 }"#, Some(format!("{stops}Diameter is 40.6 mm, more than 0.5 mm from 40 mm"))),
@@ -437,14 +437,14 @@ fn renishaws_macros_stop_as_their_letters_say() {
         (
             corner,
             r#""sizes": { "angle": 3 }"#,
-            Some("On this part a result is implausible, and the program does not ask: Angle between the walls is 93°, more than 1° from 90°".to_owned()),
+            Some("On this part a result is implausible, and the program does not check it: Angle between the walls is 93°, more than 1° from 90°".to_owned()),
         ),
         (corner, r#""rotation": 3"#, Some(format!("{stops}the directions of both walls are more than 1° off"))),
         (
             corner,
             r#""rotation": 3, "sizes": { "angle": 3 }"#,
             Some(
-                "On this part a result is implausible, and the program does not ask: Angle between the walls is 93°, more than 1° from 90°"
+                "On this part a result is implausible, and the program does not check it: Angle between the walls is 93°, more than 1° from 90°"
                     .to_owned(),
             ),
         ),
@@ -464,7 +464,7 @@ fn heidenhains_cycles_stop_as_q309_says() {
         said(r#""offset": [0.8, 0.8, 0]"#, "null"),
         Vec::<String>::new()
     );
-    let stops = "On this part the control's own cycle stops with a message: ";
+    let stops = "On this part the native cycle stops with a message: ";
     assert_eq!(
         said(r#""offset": [1.2, 0, 0]"#, "null"),
         [format!(

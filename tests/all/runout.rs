@@ -135,7 +135,7 @@ fn places_move_and_sizes_do_not() {
     }
 }
 
-/// What is measured along one direction only: a groove turned by 30° is seen along u, so its middle moves by e/√2·cos 30° and e/√2·sin 30°. A slope
+/// Measured features along one direction only: a groove turned by 30° is seen along u, so its middle moves by e/√2·cos 30° and e/√2·sin 30°. A slope
 /// of 60° is measured along its normal: e/√2·cos 60°, and its point moves along the normal.
 #[test]
 fn one_direction_takes_its_share() {

@@ -205,7 +205,7 @@ fn what_becomes_of_the_offset_is_said() {
     let mean = said(0.03, r#"{ "tool": 5, "parts": 3, "store": 21 }"#);
     assert_eq!(
         mean,
-        "Diameter is off by 0.03 mm: the macro keeps that in offset 21, and corrects tool offset 5 by 100 % of the mean of 3 parts"
+        "Diameter deviates by 0.03 mm: the macro stores that in offset 21, and corrects tool offset 5 by 100 % of the mean of 3 parts"
     );
 }
 

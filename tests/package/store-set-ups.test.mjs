@@ -413,7 +413,7 @@ test("a ready set-up is for the machine of the job, in its units, and without an
     assert.ok(begunWith.has(`first-article ${id}`), id);
 });
 
-test("a set-up that the control's own cycles cannot do is in moves, and says so", () => {
+test("a set-up that native cycles cannot do is in moves, and says so", () => {
   const store = begun("hole");
   store.chooseControl("haas");
   store.put("control.form", "cycle");

@@ -105,7 +105,7 @@ test("what is said is the message, and the message in another language", async (
       .split(/[^a-zA-Z]+/)
       .some((word) => /[a-z]/.test(word) && word.length > 1);
   const walk = (
-    /** @type {import("touchpath").Said} */ [template, ...values],
+    /** @type {import("touchpath").Message} */ [template, ...values],
   ) => {
     if (needs(template) && !all.has(template)) english.add(template);
     for (const value of values) if (Array.isArray(value)) walk(value);
@@ -113,7 +113,7 @@ test("what is said is the message, and the message in another language", async (
   let count = 0;
   const said = (
     /** @type {string} */ message,
-    /** @type {import("touchpath").Said} */ what,
+    /** @type {import("touchpath").Message} */ what,
   ) => {
     assert.equal(say(what), message);
     walk(what);
@@ -155,7 +155,7 @@ test("what is said is the message, and the message in another language", async (
         const means = meanings(changed);
         assert.equal(means.length, made.table.length);
         made.table.forEach((row, i) => {
-          said(row.meaning, /** @type {import("touchpath").Said} */ (means[i]));
+          said(row.meaning, /** @type {import("touchpath").Message} */ (means[i]));
         });
         for (const row of [
           ...made.results,

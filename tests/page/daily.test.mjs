@@ -25,7 +25,7 @@ const dialog = () => page.getByRole("dialog", { name: "My machines" });
 const keep = async (/** @type {string} */ name) => {
   await dialog().getByLabel("Name of the machine").fill(name);
   await dialog()
-    .getByRole("button", { name: "Keep the present values" })
+    .getByRole("button", { name: "Keep the current values" })
     .click();
 };
 

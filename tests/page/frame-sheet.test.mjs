@@ -116,7 +116,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
     await panel("results", page);
     const caption = reports
       ? "Results the control will store"
-      : "What the touches will give";
+      : "Results expected from the touches";
     await page.locator("tp-results").getByText(caption).waitFor();
   }
 });

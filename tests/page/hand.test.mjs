@@ -222,7 +222,7 @@ test("a cycle of the control's own had the same reason fourteen times in Checks,
   await page.getByRole("tab", { name: "Checks" }).click();
   const checks = await textOf(page.locator("tp-checks"));
   assert.equal(
-    checks.split("The control's own cycle makes every move itself").length,
+    checks.split("The native cycle makes every move itself").length,
     2,
   );
   assert.match(checks, /The spindle is off before the first motion/);

@@ -145,7 +145,7 @@ for (const [post, calls] of /** @type {[string, string[]][]} */ ([
   ["haas", ["G65 P9811", "G65 P9814", "G65 P9812"]],
   ["sinumerik", ["CYCLE978", "CYCLE977", "CYCLE977"]],
 ]))
-  test(`in a set-up of the control's own cycles a move lit the line of another call: ${post}`, async () => {
+  test(`in a set-up of native cycles a move lit the line of another call: ${post}`, async () => {
     await openText(
       JSON.stringify({
         format: 2,
@@ -233,7 +233,7 @@ test("the distance between two bores of a TNC follows from the parameters that i
     "Q1600 = -60,02\nQ1601 = 0\nQ1602 = 20\nQ151 = 60,03\nQ152 = 0\nQ153 = 20,01\n",
   );
   const row = page.locator("tp-measured tp-results tbody tr", {
-    hasText: "Distance from the first place to the second",
+    hasText: "Distance from the first position to the second",
   });
   await settles(
     async () =>

@@ -33,7 +33,7 @@ test("a machine is kept over a reload, and used it says so; one that leaves some
   await more("My machines");
   await dialog().getByLabel("Name of the machine").fill("Mill 2 <b>");
   await dialog()
-    .getByRole("button", { name: "Keep the present values" })
+    .getByRole("button", { name: "Keep the current values" })
     .click();
   assert.match(await told(), /Kept “Mill 2 <b>”/);
   await close();
@@ -102,7 +102,7 @@ test("two tabs overwrote each other's presets, and a file pushed the user's own 
   ) => {
     await more("My machines", tab);
     await tab.getByLabel("Name of the machine").fill(name);
-    await tab.getByRole("button", { name: "Keep the present values" }).click();
+    await tab.getByRole("button", { name: "Keep the current values" }).click();
     await tab
       .getByRole("dialog", { name: "My machines" })
       .getByRole("button", { name: "Close" })

@@ -232,10 +232,10 @@ test("a machine is kept once, stands in the bar, and is one click", async () => 
     .fill("ball diameter");
   await page.keyboard.press("Enter");
   await field("stylus.diameter").fill("4");
-  await field("control.post").selectOption({ label: "Keep this machine …" });
+  await field("control.post").selectOption({ label: "Store this machine …" });
   const dialog = page.getByRole("dialog", { name: "My machines" });
   await dialog.getByLabel("Name of the machine").fill("Mill 2, ball 4");
-  await dialog.getByRole("button", { name: "Keep the present values" }).click();
+  await dialog.getByRole("button", { name: "Keep the current values" }).click();
   await page.keyboard.press("Escape");
   const chosen = () => textOf(field("control.post").locator("option:checked"));
   assert.equal(await chosen(), "Mill 2, ball 4");

@@ -1,4 +1,4 @@
-; G10 of a HEIDENHAIN is a rapid to a polar place, which is not known here. G70 states inch.
+; G10 of a HEIDENHAIN is a rapid to a polar place, which is unknown. G70 states inch.
 ; read:
 ; is: iso inch
 ; line 4: rapid ? 2 ?

@@ -3,9 +3,9 @@
 ; read:
 ; moves: 3 rapid 1 2 3 | 6 feed ? 2 3 | 7 probe ? -5 3 | 8 feed 7 -5 3 | 9 rapid 7 -5 ?
 ; findings: lines-skipped lines-skipped lines-skipped places-computed machine-places
-; finding: lines-skipped "Whether these conditions hold is not known" in line 5
-; finding: lines-skipped "These variables get a value that is not known" in line 4
-; finding: lines-skipped "What is called here is not in this text" in line 10
+; finding: lines-skipped "The result of these conditions is unknown" in line 5
+; finding: lines-skipped "These variables get an unknown value" in line 4
+; finding: lines-skipped "The called program is not in this text" in line 10
 O1000 (FANUC)
 G21 G17
 G0 X1. Y2. Z3.

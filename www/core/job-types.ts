@@ -68,7 +68,7 @@ export interface Properties {
 
 /** What several cycles have as `repeat`. */
 export interface Repeat {
-  /** How often each point is touched. The mean of these touches counts. */
+  /** Number of touches of each point. The result uses their mean. */
   times?: number;
   /** Largest distance between touches of the same point. Beyond it the program writes nothing and stops; a program that only measures says so. Empty: no limit. `null`: no limit. */
   spread?: number | null;
@@ -161,11 +161,11 @@ export interface ProbingTwoCircles {
   setUpClearance?: number;
   /** Clearance height? A height free of obstacles. Code Q260. */
   clearanceHeight?: number;
-  /** Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show. */
+  /** Q320=PREDEF: the control reads the set-up clearance from GLOBAL DEF. The number above then only affects the moves shown. */
   setUpClearancePredef?: boolean;
-  /** Q260=PREDEF: the control takes the clearance height from GLOBAL DEF. The number above is then only what the moves show. */
+  /** Q260=PREDEF: the control reads the clearance height from GLOBAL DEF. The number above then only affects the moves shown. */
   clearanceHeightPredef?: boolean;
-  /** Traverse to clearance height? When the ball goes there. Code Q1125. */
+  /** Traverse to clearance height? When the ball moves there. Code Q1125. */
   clearanceHeightMode?: -1 | 0 | 1 | 2;
   /** Reaction to tolerance error? Code Q309. */
   errorReaction?: 0 | 1 | 2;
@@ -173,7 +173,7 @@ export interface ProbingTwoCircles {
   alignRotaryAxis?: 0 | 1 | 2;
   /** Transfer position? Which point corrects the active preset. Code Q1120. */
   transferPosition?: 0 | 1 | 2 | 3;
-  /** Confirm rotation? What becomes of the measured misalignment. Code Q1121. */
+  /** Confirm rotation? Use of the measured misalignment. Code Q1121. */
   confirmRotation?: 0 | 1 | 2;
   /** Stylus position before the cycle. */
   start?: Vec3;
@@ -184,7 +184,7 @@ export interface ProbingTwoCircles {
     dist?: number;
     /** F of the touch probe table: the probing feed. */
     feed?: number;
-    /** FMAX of the touch probe table: the rapid for positioning. `null`: control's own. */
+    /** FMAX of the touch probe table: the rapid for positioning. `null`: native. */
     rapid?: FeedRate;
   };
   extrusion?: {
@@ -259,7 +259,7 @@ export interface Hole {
   angularStep?: number;
   /** Angular variant: how many touches. Code CmdPrm.Int[-62]. */
   stepCount?: number;
-  /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
+  /** Height of the ball centre above the top side before it descends. Unchecked: it moves straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
   topClearance?: number | null;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
@@ -357,7 +357,7 @@ export interface InternalRectangle {
   width2?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
-  /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
+  /** Height of the ball centre above the top side before it descends. Unchecked: it moves straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
   topClearance?: number | null;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
@@ -469,7 +469,7 @@ export interface Groove {
   width?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
-  /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
+  /** Height of the ball centre above the top side before it descends. Unchecked: it moves straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
   topClearance?: number | null;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
@@ -664,11 +664,11 @@ export interface Job {
     diameter?: number;
     /** One sigma of a single touch along its probing direction. */
     repeatability?: number;
-    /** From the ball centre up to the probe body. Empty: not known, and the probe body is not checked. `null`: not known. */
+    /** From the ball centre up to the probe body. Empty: unknown; the probe body is then not checked. `null`: not known. */
     length?: number | null;
-    /** Diameter of the stylus above the ball. Empty: not known. `null`: not known. */
+    /** Diameter of the stylus above the ball. Empty: unknown. `null`: not known. */
     shank?: number | null;
-    /** Diameter of the probe body above the stylus. Empty: not known. `null`: not known. */
+    /** Diameter of the probe body above the stylus. Empty: unknown. `null`: not known. */
     body?: number | null;
     /** Eccentricity: half the total indicator reading at the ball over one spindle revolution. Adds to the uncertainty unless the spindle is oriented. Empty: unknown. `null`: not known. */
     runout?: number | null;
@@ -692,7 +692,7 @@ export interface Job {
     size?: number | null;
     /** Largest deviation of a measured angle or direction. `null`: no limit. */
     angle?: number | null;
-    /** Largest root mean square distance of the touches from the circle or wall that is fitted through them, where there are touches to spare. `null`: no limit. */
+    /** Largest root mean square distance of the touches from the fitted circle or wall, if there are more touches than the fit needs. `null`: no limit. */
     residual?: number | null;
   };
   machine?: {
@@ -706,7 +706,7 @@ export interface Job {
   control?: {
     /** Which control the program is for. */
     post?: "linuxcnc" | "grbl" | "grblhal" | "fluidnc" | "sinumerik" | "heidenhain" | "fanuc" | "haas" | "mazak" | "brother" | "hurco" | "okuma";
-    /** Plain moves: every move written out, on the job's path. The native cycle: a few calls, on the cycle's own path, which is shown. */
+    /** Plain moves: every move is written out, on the job's path. Native cycle: a few calls, on the cycle's own path, which is shown. */
     form?: "moves" | "cycle";
     /** The work offset that the program writes at its end: 1 is G54. Empty: measure only. `null`: measure only. */
     workOffset?: number | null;
@@ -714,7 +714,7 @@ export interface Job {
     protection?: "checked" | "none";
     /** A dry run makes the same moves without a part: a touch ends at its nominal contact, a contact anywhere stops it, and nothing is written. */
     run?: "normal" | "dry";
-    /** How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine. */
+    /** Height along the tool axis by which a dry run is raised: above the part it can run with the part in the machine. */
     lift?: number;
     /** Detail of the header comments. A header with the whole job lets Touchpath reopen the program. */
     header?: "full" | "short";
@@ -728,7 +728,7 @@ export interface Job {
     report?: "screen" | "log" | "none";
     /** SET_UP of the touch probe table: native cycles add it to their set-up clearance. */
     setUp?: number;
-    /** Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */
+    /** Number of the program, on controls whose programs have one. Empty: the four digits at the end of the program name (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */
     number?: number | null;
   };
   tool?: {

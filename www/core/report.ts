@@ -409,7 +409,7 @@ ${verdict === null ? "" : `<p class="verdict">${escaped(t("Verdict"))}: ${grade(
 ${picture}
 <table><thead><tr>${head.map((cell, i) => `<th${i > 0 && i < 6 ? ' class="n"' : ""}>${escaped(cell)}</th>`).join("")}</tr></thead><tbody>${lines.join("\n")}</tbody></table>
 ${parts > 1 ? seriesTable(rows, t) : ""}
-<p>${escaped(t("± 2σ is twice the standard uncertainty of the touches. A value nearer than that to a limit is not known to be on its side of it: good within ±, out within ±."))}</p>
+<p>${escaped(t("± 2σ is twice the standard uncertainty of the touches. A value that is closer to a limit than that may be on either side of it: good within ±, out within ±."))}</p>
 <p class="sign"><span>${escaped(t("Date"))}</span><span>${escaped(t("Name"))}</span></p>
 </body></html>
 `;

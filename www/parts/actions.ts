@@ -74,7 +74,7 @@ export class Actions {
         this.page.tell(
           [
             w(
-              "The form is put back to its defaults. Undo brings back what was there",
+              "The form is reset to its defaults. Undo restores the previous values",
             ),
           ],
           true,

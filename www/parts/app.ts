@@ -353,7 +353,7 @@ export class App extends LitElement {
         ${menu(frame)}
       </header>
       <div class="notes">
-      ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Load it")}</button> ${this.t("The job is kept.")}</p>` : nothing}
+      ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Load it")}</button> ${this.t("The job stays as it is.")}</p>` : nothing}
       ${said && !said.foot ? html`<p class="note" role="status"><span>${store.say(said.text)}</span> <button type="button" class="ok" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
       ${
         this.tools.now === "cycles"

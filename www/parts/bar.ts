@@ -169,7 +169,7 @@ class BarPart extends FieldPart {
       under: kept.length > 0 ? this.t("Controls") : "",
     }));
     const keep = this.local
-      ? [{ value: "keep:", label: this.t("Keep this machine …"), under: own }]
+      ? [{ value: "keep:", label: this.t("Store this machine …"), under: own }]
       : [];
     const choices =
       kept.length > 0 ? [...machines, ...keep, ...posts] : [...posts, ...keep];

@@ -19,7 +19,7 @@ function sign(row: Row, own: boolean): { mark: string; word: string } {
     return {
       mark: "–",
       word: own
-        ? w("the control's own cycle does it")
+        ? w("the native cycle does it")
         : w("this control cannot"),
     };
   return row.holds
@@ -140,7 +140,7 @@ class ChecksPart extends StorePart {
       <thead><tr><th>${this.t("Control")}</th><th>${this.t("Form")}</th><th class="n">${this.t("Lines")}</th><th></th></tr></thead>
       <tbody>${rows.map(({ post, form }) => {
         const { lines, says } = made(post.id, form);
-        const way = form === "moves" ? this.t("moves") : this.t("own cycle");
+        const way = form === "moves" ? this.t("moves") : this.t("native cycle");
         const chosen = post.id === now.post && form === now.form;
         return html`<tr class=${lines === null ? "none" : ""}><td>${post.title}</td><td>${way}</td>
           <td class="n">${lines ?? html`<span role="img" aria-label=${this.t("no program")}>–</span>`}</td>

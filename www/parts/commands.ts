@@ -25,7 +25,7 @@ const ALSO: Record<string, string> = {
   program: w("G-code lines compare find all lines"),
   table: w("CmdPrm Q parameters codes table"),
   checks: w("rules findings errors warnings safety"),
-  presets: w("machine keep stylus feeds"),
+  presets: w("machine store stylus feeds"),
 };
 const UNITS = "units millimetre metric imperial inches";
 /** Names and numbers of native cycles and macros. */
@@ -62,7 +62,7 @@ class CommandsPart extends StorePart {
             ) => html`<li id=${`command-${i}`} role="option" aria-selected=${i === at ? "true" : "false"} @click=${() => this.run(one)}>
               <b>${one.name}</b> <span class="kind">${one.kind}</span>${one.says ? html`<small>${one.says}</small>` : nothing}</li>`,
           )}</ul>
-          ${list.length === 0 ? html`<p class="status-text" role="status">${this.t("Nothing is found by these words.")}</p>` : nothing}`
+          ${list.length === 0 ? html`<p class="status-text" role="status">${this.t("No matches.")}</p>` : nothing}`
         : nothing
     }</dialog>`;
   }

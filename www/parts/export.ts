@@ -103,7 +103,7 @@ export class Export {
     const link = new URL(fragment, location.href).href;
     if (await copy(link))
       this.page.tell([
-        w("Link copied. The job is in the link itself: no server keeps it."),
+        w("Link copied. The link itself contains the job: no server stores it."),
       ]);
     else this.page.show(link);
   }

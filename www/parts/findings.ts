@@ -27,7 +27,7 @@ const MANY = {
 /** Notes that always apply to a control, most severe first. */
 const ALWAYS: Record<string, string> = {
   "positioning-not-watched": w("Positioning is not watched."),
-  "approach-not-watched": w("The first way is not watched."),
+  "approach-not-watched": w("The approach is not watched."),
   "units-not-stated": w("The program states no units."),
   "not-verified": w("Not yet run on this control."),
   "no-results-in-program": w("The program computes nothing."),

@@ -61,7 +61,7 @@ const DOORS: [door: string, groups: RegExp][] = [
   [PART, /^(Stock|Virtual part)$/],
 ];
 /** Groups of a cycle without a heading. */
-const PLAIN = /^(Place|Size|Circle [12]|Both circles)$/;
+const PLAIN = /^(Position|Size|Circle [12]|Both circles)$/;
 
 /** A heading with its fields. */
 type Group = [name: string, fields: Placed[]];

@@ -91,7 +91,7 @@ class GalleryPart extends StorePart {
             this.requestUpdate();
           }}
           @keydown=${(e: KeyboardEvent) => this.key(e, cycles[0], tool)} />
-        <span role="status" class="status-text">${search.all || search.things.length === 0 ? this.t("{count} of {all} cycles", cycles.length, all.length) : this.t("Nothing has all of these words; these have some of them")}</span>
+        <span role="status" class="status-text">${search.all || search.things.length === 0 ? this.t("{count} of {all} cycles", cycles.length, all.length) : this.t("No entry has all of these words; these have some of them")}</span>
       </div>
       ${search.things.length === 0 ? html`<p>${this.t("No cycle is found by these words.")} <button type="button" @click=${this.showAll}>${this.t("Show all")}</button></p>` : nothing}
       <div class="groups"><section ?hidden=${setUps.length === 0} aria-label=${this.t("Ready set-ups")}><h3>${this.t("Ready set-ups")}</h3>
@@ -142,7 +142,7 @@ class GalleryPart extends StorePart {
   private own({ type }: CycleEntry): string {
     const { post } = this.store;
     return post && this.store.formsOf(post.id, type).includes("cycle")
-      ? this.t("own cycle of {control}", post.title)
+      ? this.t("native cycle of {control}", post.title)
       : "";
   }
 

@@ -311,7 +311,7 @@ export class Intake {
         moves.kind.length > 0
           ? ""
           : this.store.t(
-              "This program is shown as text; no job is made of it. {why}",
+              "This program is shown as text without a job. {why}",
               why,
             ),
       );

@@ -42,9 +42,9 @@ class ManualPart extends CanvasPart {
       <p class="status-text">${cycle.source}</p>
       ${used ? nothing : html`<p><button type="button" class="primary" ?disabled=${store.readonly} @click=${() => this.use(cycle)}>${this.t("Measure this")}</button></p>`}
       ${cycle.steps.length > 0 ? html`<canvas role="img" aria-label=${this.t("Path of the probe, isometric")}></canvas>` : nothing}
-      ${cycle.steps.length > 0 ? html`<h3>${this.t("What the probe does")}</h3><ol>${cycle.steps.map((step) => html`<li>${step}</li>`)}</ol>` : nothing}
-      ${results.length > 0 ? html`<h3>${this.t("What is measured")}</h3><ul>${results.map((row) => html`<li>${resultInWords(store, row)}</li>`)}</ul>` : nothing}
-      <h3>${this.t("What the form asks")}</h3>
+      ${cycle.steps.length > 0 ? html`<h3>${this.t("Moves of the probe")}</h3><ol>${cycle.steps.map((step) => html`<li>${step}</li>`)}</ol>` : nothing}
+      ${results.length > 0 ? html`<h3>${this.t("Measured features")}</h3><ul>${results.map((row) => html`<li>${resultInWords(store, row)}</li>`)}</ul>` : nothing}
+      <h3>${this.t("Fields of the form")}</h3>
       <dl class="definitions">${fields.map((field) => this.field(field))}</dl>
       <h3>${this.t("On which controls")}</h3>
       ${this.takes(store.catalog.posts.map((post) => [post.title, post, cycle.type]))}`;
@@ -69,11 +69,11 @@ class ManualPart extends CanvasPart {
     );
     return html`
       <h2 tabindex="-1">${post.title}</h2>
-      ${always.length > 0 ? html`<h3>${this.t("What always holds")}</h3><ul>${always.map((f) => html`<li class=${f.level}>${this.message(f)}</li>`)}</ul>` : nothing}
+      ${always.length > 0 ? html`<h3>${this.t("General notes")}</h3><ul>${always.map((f) => html`<li class=${f.level}>${this.message(f)}</li>`)}</ul>` : nothing}
       ${unable.length > 0 ? html`<h3>${this.t("Rules it cannot guarantee")}</h3><dl class="definitions">${unable.map((row) => html`<dt>${rule(row.rule)}</dt><dd>${store.say(row.said)}</dd>`)}</dl>` : nothing}
-      <h3>${this.t("What it can do")}</h3>
+      <h3>${this.t("Capabilities")}</h3>
       <ul>
-        <li>${post.computes ? this.t("Its program computes the results.") : this.t("Its program computes nothing: results come from the points that it reports.")}</li>
+        <li>${post.computes ? this.t("Its program computes the results.") : this.t("The program computes nothing: the results come from the reported points.")}</li>
         <li>${post.watches ? this.t("Positioning moves are watched by the probe.") : this.t("Positioning moves are not watched by its program.")}</li>
         <li>${post.workOffsets > 0 ? this.t("Work offsets: {first} to {last}.", post.workOffsetWords[0] ?? "", post.workOffsetWords.at(-1) ?? "") : this.t("Its program writes no work offset.")}</li>
       </ul>
@@ -83,7 +83,7 @@ class ManualPart extends CanvasPart {
 
   /** Support of cycles by controls: as moves, as a native cycle, or the reason why not. */
   private takes(rows: [string, PostEntry, string][]): TemplateResult {
-    return html`<table><thead><tr><th>${this.t("Name")}</th><th>${this.t("moves")}</th><th>${this.t("own cycle")}</th><th>${this.t("Why not")}</th></tr></thead><tbody>${rows.map(
+    return html`<table><thead><tr><th>${this.t("Name")}</th><th>${this.t("moves")}</th><th>${this.t("native cycle")}</th><th>${this.t("Why not")}</th></tr></thead><tbody>${rows.map(
       ([name, post, type]) => {
         const forms = post.cycles.filter((one) => one.type === type);
         const of = (form: string) => forms.find((one) => one.form === form);

@@ -275,7 +275,7 @@ class MeasuredPart extends StorePart {
       ["percent", w("Percent of the error")],
       ["deadBand", w("Dead band")],
       ["parts", w("Mean of parts")],
-      ["store", w("Kept in offset")],
+      ["store", w("Stored in offset")],
     ] as const;
     const given: Record<string, unknown> = { ...own.wear };
     const put = (key: string) => (e: Event) => {

@@ -22,7 +22,7 @@ const KEYS: [string, string][] = [
   [w("Ctrl+S"), w("save the program")],
   [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
   [w("Enter in a number"), w("work out a sum, and to the next field")],
-  [w("Escape in a number"), w("back to what the field held")],
+  [w("Escape in a number"), w("restore the previous value")],
   [w("← → in the timeline"), w("move before, next move")],
   [w("Ctrl+← Ctrl+→ there"), w("touch before, next touch")],
   [w("Space there"), w("play, pause")],

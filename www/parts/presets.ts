@@ -32,16 +32,16 @@ class PresetsPart extends StorePart {
 
   override render(): TemplateResult {
     return html`
-      <p id="presets-help">${this.t("A machine is kept with its stylus, overtravel, feeds, control and tool, and is in the list at the head of the page. The cycle, the part and the work offset stay as they are. Machines are kept in this browser.")}</p>
+      <p id="presets-help">${this.t("A machine is stored with its stylus, overtravel, feeds, control and tool, and appears in the list at the top of the page. The cycle, the part and the work offset stay as they are. Machines are stored in this browser.")}</p>
       <div class="tools">
         <input class="filter" id="preset-name" type="text" aria-label=${this.t("Name of the machine")} placeholder=${this.t("Name, such as Mill 2, ball 6")} maxlength="80"
           @keydown=${(e: KeyboardEvent) => e.key === "Enter" && this.keep()} />
-        <button type="button" @click=${() => this.keep()}>${this.t("Keep the present values")}</button>
+        <button type="button" @click=${() => this.keep()}>${this.t("Keep the current values")}</button>
       </div>
       <p class="status-text"><span role="status">${this.told}</span> ${this.earlier ? html`<button type="button" class="quiet" @click=${this.takeBack}>${this.t("Undo")}</button>` : nothing}</p>
       ${
         this.list.length > 0
-          ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a machine")}>${Object.entries(
+          ? html`<fieldset class="tools" aria-label=${this.t("Parts of a machine to use")}>${Object.entries(
               PARTS,
             ).map(
               ([part, [name]]) =>
@@ -52,7 +52,7 @@ class PresetsPart extends StorePart {
       <ul class="found">${this.list.map(
         (preset) => html`<li class="row"><b class="gap">${preset.name}</b>
           <button type="button" ?disabled=${this.parts.size === 0} aria-label=${this.t("Use {name}", preset.name)} @click=${() => this.use(preset)}>${this.t("Use")}</button>
-          <button type="button" aria-label=${this.t("Forget {name}", preset.name)} @click=${() => this.forget(preset)}>${this.t("Forget")}</button></li>`,
+          <button type="button" aria-label=${this.t("Delete {name}", preset.name)} @click=${() => this.forget(preset)}>${this.t("Forget")}</button></li>`,
       )}</ul>
       <div class="tools">
         <button type="button" ?disabled=${this.list.length === 0} @click=${() => download(written(this.list), "touchpath-presets.json", "application/json")}>${this.t("Save all as a file")}</button>
@@ -75,7 +75,7 @@ class PresetsPart extends StorePart {
         this.tell(
           replaced
             ? this.t("Replaced “{name}”", name)
-            : this.t("Kept “{name}”", name),
+            : this.t("Stored “{name}”", name),
         );
     }
   }
@@ -102,7 +102,7 @@ class PresetsPart extends StorePart {
       this.earlier = null;
       this.tell(
         this.t(
-          "“{name}” is used. Undo brings back what was there.",
+          "“{name}” is in use. Undo restores the previous machine.",
           preset.name,
         ),
       );
@@ -119,7 +119,7 @@ class PresetsPart extends StorePart {
     if (
       this.put((list) => list.filter((one) => one.name !== preset.name), true)
     )
-      this.tell(this.t("Forgot “{name}”", preset.name));
+      this.tell(this.t("Deleted “{name}”", preset.name));
   }
 
   /** Adds the presets of a file; those with the same name replace stored ones. */
@@ -148,7 +148,7 @@ class PresetsPart extends StorePart {
     if (list.length > MOST) {
       this.tell(
         this.t(
-          "Nothing was changed: at most {most} machines are kept, and these would be {count}",
+          "Nothing was changed: at most {most} machines can be stored, and these would be {count}",
           MOST,
           list.length,
         ),
@@ -162,7 +162,7 @@ class PresetsPart extends StorePart {
     if (kept) return true;
     this.tell(
       this.t(
-        "This browser keeps nothing: the machines are there until the page is left",
+        "This browser stores nothing: the machines are lost when you leave the page",
       ),
     );
     return false;

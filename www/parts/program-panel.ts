@@ -17,7 +17,7 @@ import { StorePart } from "./part.js";
 /** Labels of the program forms, as in the form. */
 const FORMS: Record<Form, string> = {
   moves: w("Plain moves"),
-  cycle: w("The control's own cycle"),
+  cycle: w("The native cycle"),
 };
 
 /** A line of the program, counted from 0. */

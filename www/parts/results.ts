@@ -31,10 +31,10 @@ class ResultsPart extends StorePart {
         )
       : null;
     const stored = this.store.computesNothing
-      ? w("What the touches will give")
+      ? w("Results expected from the touches")
       : w("Results the control will store");
     const caption = rows
-      ? this.t("{stored}, and what the measured points give", [stored])
+      ? this.t("{stored}, and the results of the measured points", [stored])
       : this.t(stored);
     return html`<div class=${stale ? "stale" : ""}>${this.tables(caption, rows)}</div>`;
   }
@@ -159,7 +159,7 @@ class ResultsPart extends StorePart {
       ),
     };
     const last = {
-      name: this.t("What the program writes"),
+      name: this.t("Values that the program writes"),
       rows: results.filter(isWritten),
     };
     const shown = [

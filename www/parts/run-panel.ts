@@ -117,9 +117,9 @@ export class RunPanel {
       ${plain.rules.length === 0 ? nothing : broken.length === 0 ? html`<h2>${t("No broken rule was found")}</h2>` : html`<h2>${broken.length === 1 ? t("1 fault") : t("{count} faults", broken.length)}</h2>${rules(broken)}`}
       ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
       ${noteList(notes)}
-      ${plain.writes.length > 0 ? html`<h2>${t("Written for good")}</h2><ul class="writes">${written(run.writes).map(({ what, line }) => html`<li>${what}${this.places([line])}</li>`)}</ul>` : nothing}
+      ${plain.writes.length > 0 ? html`<h2>${t("Lasting writes")}</h2><ul class="writes">${written(run.writes).map(({ what, line }) => html`<li>${what}${this.places([line])}</li>`)}</ul>` : nothing}
       ${form ? this.form(own, known, run, assumes) : nothing}
-      ${plain.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2>${this.allCalls(plain.calls)}<ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+      ${plain.calls.length > 0 ? html`<h2>${t("Native cycles")}</h2>${this.allCalls(plain.calls)}<ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
       ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
     `;
   }
@@ -177,7 +177,7 @@ export class RunPanel {
     this.open ||= this.names.length > 0 || assumes;
     return html`<details class="known" ?open=${this.open}>
       <summary>${t("Run with your values")}</summary>
-      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: the start, work offsets and tool length 0, and where touches trigger, as far as you have not entered it.")}</p>` : nothing}
+      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not state it: start, work offsets and tool length 0, and the trigger points of touches that you have not entered.")}</p>` : nothing}
       <p>${this.names.length > 0 || !assumes ? t("The program reads variables that it never sets. Enter their values here; they are stored under the file name. Results that depend on an empty one are shown as unknown.") : nothing}</p>
       <div class="fields">
         ${this.control(own)}
@@ -259,7 +259,7 @@ export class RunPanel {
     };
     return html`<div class="field"><label for=${`meets-${key}`}>${label}</label>
       <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${!onPart && value === now}>${t(word)}</option>`)}
-        ${key === "at" ? html`<option value=${HAND} ?selected=${byHand}>${t("on a part put there by hand")}</option><option value=${FORM} ?selected=${onPart && !byHand}>${t("on the part in the form")}</option>` : nothing}</select></div>`;
+        ${key === "at" ? html`<option value=${HAND} ?selected=${byHand}>${t("on a part entered by hand")}</option><option value=${FORM} ?selected=${onPart && !byHand}>${t("on the part in the form")}</option>` : nothing}</select></div>`;
   }
 
   /** Reads a number, also with a decimal comma; an empty field gives none. Other text stays for correction. */

@@ -124,7 +124,7 @@ class SheetPart extends StorePart {
               <tbody>${plan.touches.map((t, k) => html`<tr><td>${this.store.ofCycle(t.cycle, String(this.store.touchNumber(k))).replace(".", " ")}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
             </table>`
             }
-            ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${unwrapped(head).join("\n")}</div>` : nothing}
+            ${head.length ? html`<div class="head"><b>${this.t("The program states:")}</b>\n${unwrapped(head).join("\n")}</div>` : nothing}
           </div>
         </div>
         <p>${checked(this.store)}. ${this.hash ? this.t("Hash of the blocks: {hash}.", this.hash) : nothing}${this.reasons().map((why) => ` ${why}.`)}</p>
@@ -157,7 +157,7 @@ class SheetPart extends StorePart {
               )}</tbody>
             </table>`;
     const says = computes
-      ? this.t("What the control is expected to report, and what it reported")
+      ? this.t("Expected and reported values of the control")
       : this.t(
           "Results expected from the touches (this control computes none)",
         );
@@ -176,7 +176,7 @@ class SheetPart extends StorePart {
       html`<p><b>${says}</b></p>`,
       ...tables,
       ...(written.length > 0
-        ? [table(this.t("What the program writes"), written, false)]
+        ? [table(this.t("Values that the program writes"), written, false)]
         : []),
     ];
   }
@@ -216,7 +216,7 @@ class SheetPart extends StorePart {
         : [
             html`<tr><th colspan="3">${name}: ${entry.title}</th></tr>`,
             ...entry.fields
-              .filter(({ group }) => /^(Place|Size)$/.test(group))
+              .filter(({ group }) => /^(Position|Size)$/.test(group))
               .map((f) => this.row(f, form[f.key], form)),
           ];
     });

@@ -391,7 +391,7 @@ class ViewerPart extends DrawnPart {
   private says(): string {
     const { kind, kinds, units } = this.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
-    const said: Message[] = [units ? [units] : [w("units not said")]];
+    const said: Message[] = [units ? [units] : [w("units not stated")]];
     return this.t(
       "{count} moves, {probing} of them probing; {units}; read as {dialect}",
       kind.length,

@@ -31,7 +31,7 @@ pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
     let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
     if fastest >= limit {
         let message = text!(
-            "G31 runs at up to {feed}/min here: the manual of the Classic control asks for less than {limit}/min, since more may damage the probe",
+            "G31 runs at up to {feed}/min here: the manual of the Classic control requires less than {limit}/min, since more may damage the probe",
             checker.length(fastest),
             checker.length(limit)
         );
@@ -62,7 +62,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if !request.protected && !request.path.moves.is_empty() {
         let message = text!(
-            "Without watched positioning, a probe deflected at the start would pass for a touch: this control takes watched programs only"
+            "Without watched positioning, a probe deflected at the start would count as a touch: this control supports only watched programs"
         );
         checker.error("protection-unsupported", "control.protection", message);
     }
@@ -77,7 +77,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     number::check(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
         let message = text!(
-            "The tool length is taken to act along Z: there are no programs for planes other than G17"
+            "The tool length is assumed to act along Z: there are no programs for planes other than G17"
         );
         checker.error("plane-unsupported", "plane", message);
     }
@@ -88,7 +88,8 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         .as_ref()
         .filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
-        let message = text!("A work offset of this control has no rotation: none can be written");
+        let message =
+            text!("Work offsets of this control have no rotation, so it cannot be written");
         checker.error("rotation-unsupported", rotation_field(request), message);
     }
     if let Some(k) = request
@@ -132,7 +133,7 @@ fn check_starts(request: &Request<'_>, checker: &mut Checker) {
     });
     if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_SEARCH) {
         let message = text!(
-            "Touch {touch} begins {way} before its nominal contact: at least {least} is needed to tell its contact from its start",
+            "Touch {touch} begins {way} before its nominal contact: at least {least} is needed to distinguish its contact from its start",
             k + 1,
             checker.length(way),
             checker.length(SHORTEST_SEARCH)

@@ -59,13 +59,13 @@ pub static HAAS: PostDef = PostDef {
         (
             rules::CONTACT_LIFTS,
             words!(
-                "M78 raises the alarm in the control itself, where the ball is: nothing after it runs"
+                "M78 raises the alarm in the control itself, at the current position: nothing after it runs"
             ),
         ),
         (
             rules::MISS_LIFTS,
             words!(
-                "M79 raises the alarm in the control itself, where the ball is: nothing after it runs"
+                "M79 raises the alarm in the control itself, at the current position: nothing after it runs"
             ),
         ),
     ],

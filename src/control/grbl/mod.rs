@@ -58,7 +58,7 @@ const LONG_LINE_BASE: PostDef = PostDef {
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (
             rules::MISS_LIFTS,
-            words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs"),
+            words!("G38.2 raises alarm 5 and stops at the current position: nothing after it runs"),
         ),
         (
             rules::LOW_START,
@@ -86,7 +86,7 @@ const LONG_LINE_BASE: PostDef = PostDef {
 };
 
 const CONTACT_STAYS: &str = words!(
-    "after a contact the next probing move raises alarm 4, and the control stops where the ball is: nothing after it runs"
+    "after a contact the next probing move raises alarm 4, and the control stops at the current position: nothing after it runs"
 );
 
 const WRITTEN_BY_THE_SENDER: &str =
@@ -116,7 +116,7 @@ const GRBL_BASE: PostDef = PostDef {
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (
             rules::MISS_LIFTS,
-            words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs"),
+            words!("G38.2 raises alarm 5 and stops at the current position: nothing after it runs"),
         ),
         (
             rules::LOW_START,
@@ -150,7 +150,7 @@ const GRBL_BASE: PostDef = PostDef {
         if form == ProgramForm::Moves {
             Ok(())
         } else {
-            Err("it has no probing cycles of its own")
+            Err("it has no native probing cycles")
         }
     },
     check,
@@ -206,7 +206,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.info(
             "rapid-at-feed",
             "feeds",
-            text!("Nothing watches the positioning: a rapid that goes down runs at the feed of the touches"),
+            text!("Positioning is not watched: a rapid that moves down runs at the feed of the touches"),
         );
     }
 }

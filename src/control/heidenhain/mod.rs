@@ -34,7 +34,7 @@ pub static DEF: PostDef = PostDef {
     unsupported_rules: &[(
         ORIENT,
         words!(
-            "the cycles orient the probe themselves, as the probe table says (TRACK): the orientation of the job is not used"
+            "the cycles orient the probe themselves, depending on the probe table (TRACK): the orientation of the job is not used"
         ),
     )],
     watches_positioning: false,
@@ -242,7 +242,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if request.work_offset.is_some() {
         let message = text!(
-            "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty"
+            "cycle 1411 corrects the active preset itself, depending on Q1120 and Q1121: leave the work offset empty"
         );
         checker.error("work-offset-unsupported", "control.workOffset", message);
     }

@@ -50,13 +50,12 @@ fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Pa
     }
     if request.setup.plane != Plane::G17 {
         let message = text!(
-            "No source we have shows how these cycles take the tool axis of a plane other than G17"
+            "None of our sources shows how these cycles handle the tool axis of a plane other than G17"
         );
         return Err(native_run::refused("cycle-plane", "plane", message));
     }
     if path.picked {
-        let message =
-            text!("The control's own cycles choose their touch points: picked ones cannot be used");
+        let message = text!("Native cycles choose their touch points: picked ones cannot be used");
         return Err(native_run::refused(
             "cycle-chooses-points",
             "cycle.touches",
@@ -255,7 +254,7 @@ impl Plan<'_> {
     ) -> Result<(), Rejections> {
         let Some(axis) = (0..3).find(|axis| executed_path::is_along(touch.vector, *axis)) else {
             let message = text!(
-                "The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped"
+                "Native cycles touch surfaces perpendicular to X, Y or Z: this one is rotated or sloped"
             );
             return Err(native_run::refused("cycle-not-parallel", field, message));
         };
@@ -307,7 +306,7 @@ impl Plan<'_> {
             || !(5.0 - NEAR..=120.0 + NEAR).contains(&step.abs())
         {
             let message = text!(
-                "The control's own cycles touch a circle four times, 5° to 120° apart (three times where they write a preset): not {count} times like this",
+                "Native cycles touch a circle four times, 5° to 120° apart (three times when they write a preset): not {count} times like this",
                 angles.len()
             );
             return Err(native_run::refused(
@@ -339,8 +338,7 @@ impl Plan<'_> {
         let path = self.request.path;
         let Some(axis) = (0..2).find(|axis| executed_path::is_along(path.touches[0].vector, *axis))
         else {
-            let message =
-                text!("The control's own cycles take walls along X and Y: these are turned");
+            let message = text!("Native cycles support walls along X and Y: these are rotated");
             return Err(native_run::refused(
                 "cycle-not-parallel",
                 "cycle.rotation",
@@ -402,7 +400,7 @@ impl Plan<'_> {
         let lifts = side.clearance.is_some();
         if pairs.internal && lifts && !writes {
             let message = text!(
-                "Only cycle 408 lifts between the walls of a groove, and it writes a preset; 425, which measures only, goes straight across. Choose a work offset; in a set-up the last cycle alone writes one"
+                "Only cycle 408 retracts between the walls of a groove, and it writes a preset; cycle 425, which only measures, moves straight across. Choose a work offset; in a set-up only the last cycle writes one"
             );
             return Err(native_run::refused(
                 "cycle-no-lift",
@@ -461,10 +459,27 @@ impl Plan<'_> {
             set_up: request.set_up,
             overtravel: request.setup.overtravel,
         };
-        executed_path::planned(request, CallDraft { blocks, stored, guards, first, reach }, call, meets).map_err(|alarm| {
+        executed_path::planned(
+            request,
+            CallDraft {
+                blocks,
+                stored,
+                guards,
+                first,
+                reach,
+            },
+            call,
+            meets,
+        )
+        .map_err(|alarm| {
             let message = match alarm {
-                Some(alarm) => text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm)),
-                None => text!("The control's own cycle would touch other surfaces than the documented one does"),
+                Some(alarm) => text!(
+                    "On the nominal part the native cycle would stop: {alarm}",
+                    what(alarm)
+                ),
+                None => {
+                    text!("The native cycle would touch other surfaces than the documented one")
+                }
             };
             native_run::refused("cycle-stops", "cycle", message)
         })
@@ -475,7 +490,7 @@ impl Plan<'_> {
 fn what(alarm: Alarm) -> Text {
     match alarm {
         Alarm::NotFound => text!("a touch makes no contact"),
-        _ => text!("the probe touches something on its way"),
+        _ => text!("the probe collides on its path"),
     }
 }
 
@@ -487,7 +502,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.info("not-verified", "control.form", message);
     let farthest = reach(request);
     let message = text!(
-        "The probe table's DIST must be at least {dist}, the way to the farthest contact plus the overtravel: the control searches as far as DIST says",
+        "The probe table's DIST must be at least {dist}, the distance to the farthest contact plus the overtravel: the control searches as far as DIST",
         checker.length(farthest)
     );
     checker.info("dist-needed", "overtravel", message);
@@ -509,7 +524,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     if let Some(row) = request.work_offset {
         if request.limits.position.is_some() || request.limits.size.is_some() {
             let message = text!(
-                "The cycles that write a preset have no tolerances: what they measure is written without a check of the limits. Measure without a work offset first"
+                "The cycles that write a preset have no tolerances: they write their results without a check of the limits. Measure without a work offset first"
             );
             checker.warning("limits-not-asked", "limits", message);
         }

@@ -205,7 +205,7 @@ fn is_tape_name(behind: &str) -> bool {
 
 /// Fault of such a line.
 pub fn hidden() -> Text {
-    text!("a vertical tab, a form feed or a NUL: controls do not take it as a blank")
+    text!("a vertical tab, a form feed or a NUL: controls do not read it as a blank")
 }
 
 /// Lines with a semicolon, for a control without such comments.

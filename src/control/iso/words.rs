@@ -230,7 +230,7 @@ impl Block {
             };
         }
         match (self.moves, self.words.motion) {
-            (true, None) => fault(text!("a block with axis words must name its motion")),
+            (true, None) => fault(text!("a block with axis words must state its motion")),
             (false, Some(_)) => fault(text!("a motion without axis words")),
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(BlockKind::End),

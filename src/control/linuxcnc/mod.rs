@@ -43,14 +43,14 @@ pub static DEF: PostDef = PostDef {
     unsupported_rules: &[(
         rules::MISS_LIFTS,
         words!(
-            "G38.2 itself stops the program with an error where the ball is: nothing after it runs"
+            "G38.2 itself stops the program with an error at the current position: nothing after it runs"
         ),
     )],
     rate,
     supports: |_, form| match form {
         ProgramForm::Moves => Ok(()),
         ProgramForm::Cycle => Err(
-            "LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches",
+            "LinuxCNC has no native probing cycles: its shipped macros choose their own points and touches",
         ),
     },
     check,

@@ -94,7 +94,7 @@ impl<'t> Blocks<'t> for Program<'t> {
                 || comment.is_some_and(|comment| says_values(comment) && has_own(comment.text)))
         {
             return fault(text!(
-                "a subroutine has variables of its own: they are not followed"
+                "a subroutine has its own variables: they are not followed"
             ));
         }
         if code.is_empty() || code == "%" {
@@ -117,7 +117,7 @@ impl<'t> Blocks<'t> for Program<'t> {
             let own = match parse::whole(&name[1..]) {
                 Some(1..=30) if in_sub => {
                     return fault(text!(
-                        "a subroutine has variables of its own: they are not followed"
+                        "a subroutine has its own variables: they are not followed"
                     ));
                 }
                 Some(number) => number <= 5000 || number == 5599,

@@ -184,7 +184,7 @@ impl<'a> CallPlan<'a> {
         let q = overtravel.value - self.radius;
         if q <= 0.0 {
             let message = text!(
-                "The macros count the search by the ball's centre from the surface: an overtravel of {overtravel} behind the contact ends in front of it. More than the ball's radius, {radius}, is needed{advice}",
+                "The macros count the search from the surface to the ball centre: an overtravel of {overtravel} ends before contact. More than the ball's radius, {radius}, is needed{advice}",
                 self.request.length(overtravel.value),
                 self.request.length(self.radius),
                 self.request.advice()
@@ -199,7 +199,7 @@ impl<'a> CallPlan<'a> {
         let r = clearance.value - self.radius;
         if r < LEAST_CLEARANCE {
             let message = text!(
-                "The macros take a contact close to the start of a touch for one on the way: the side clearance must be {least} more than the ball's radius",
+                "The macros treat a contact close to the start of a touch as one during positioning: the side clearance must exceed the ball's radius by {least}",
                 self.request.length(LEAST_CLEARANCE)
             );
             return Err(refused("touch-too-short", clearance.field, message));
@@ -551,14 +551,14 @@ impl<'a> CallPlan<'a> {
         let [one, two] = [of(0), of(1)];
         let (Some(a), Some(b)) = (axis_of(one[0].vector), axis_of(two[0].vector)) else {
             let message = text!(
-                "The corner macros take walls along X and Y, square to each other: these are turned{advice}",
+                "The corner macros support walls along X and Y, square to each other: these are rotated{advice}",
                 self.request.advice()
             );
             return Err(refused("cycle-not-parallel", "cycle.rotation", message));
         };
         if a == b || (corner.angle.value - 90.0).abs() > NEAR {
             let message = text!(
-                "The corner macros take walls that are square to each other{advice}",
+                "The corner macros support walls that are square to each other{advice}",
                 self.request.advice()
             );
             return Err(refused("cycle-not-square", corner.angle.field, message));
@@ -614,7 +614,7 @@ impl<'a> CallPlan<'a> {
                 from.filter(|_| touch.vector.z > 0.0 && executed_path::is_along(touch.vector, 2))
             else {
                 let message = text!(
-                    "The third surface must lie across Z{advice}",
+                    "The third surface must be perpendicular to Z{advice}",
                     self.request.advice()
                 );
                 return Err(refused("cycle-not-parallel", "cycle", message));
@@ -690,7 +690,7 @@ impl<'a> CallPlan<'a> {
             && self.request.limits.angle.is_some()
         {
             let message = text!(
-                "P9834 asks the angle after the second circle has written the work offset: leave \"Angle limit\" empty, or write no work offset"
+                "P9834 checks the angle after the second circle has written the work offset: leave \"Angle limit\" empty, or write no work offset"
             );
             return Err(refused("limits-not-asked", "limits.angle", message));
         }

@@ -102,7 +102,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     checker.info("not-verified", "control.form", message);
     if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
         let message = text!(
-            "Turned features and three touches ask for a calibration by directions, {macro}",
+            "Rotated features and three touches require a calibration by directions, {macro}",
             calls.name(CALIBRATION)
         );
         checker.warning("needs-calibration", "control.form", message);
@@ -137,7 +137,8 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
         .as_ref()
         .filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
-        let message = text!("A work offset of this control has no rotation: none can be written");
+        let message =
+            text!("Work offsets of this control have no rotation, so it cannot be written");
         checker.error("rotation-unsupported", rotation_field(request), message);
     }
     check_write(request, checker);

@@ -99,7 +99,7 @@ fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
         (FeatureKind::Wall, _) => {
             Err("its cycle for the angle of a wall, CYCLE998, is read and not written")
         }
-        (FeatureKind::TwoCircles, _) => Err("it has no cycle of its own for two circles"),
+        (FeatureKind::TwoCircles, _) => Err("it has no native cycle for two circles"),
         (FeatureKind::Switch | FeatureKind::Action, _) => Err("it has no measuring cycle for it"),
         _ => Ok(()),
     }
@@ -117,7 +117,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         .is_some_and(|own| !own.guards.is_empty())
     {
         let message = text!(
-            "A place that is off by more than the safe range (TSA) of its call is an alarm of the cycle; what the alarm leaves undone is recalled and not read"
+            "A position that deviates by more than the safe range (TSA) of its call is an alarm of the cycle; which steps the alarm skips is recalled, not read"
         );
         checker.info("limit-stops", "limits.position", message);
     }

@@ -175,7 +175,7 @@ impl Plan<'_> {
         let path = clearance.value - self.radius;
         if path < SHORTEST_PATH {
             let message = text!(
-                "The measuring path of the cycle (clearance less ball radius, before and behind each contact) would be {path}: at least {least} makes sense{advice}",
+                "The measuring path of the cycle (clearance minus ball radius, before and after each contact) would be {path}: at least {least} makes sense{advice}",
                 self.request.length(path),
                 self.request.length(SHORTEST_PATH),
                 self.request.advice()
@@ -360,7 +360,7 @@ impl Plan<'_> {
                 && probed.zone(n, self.radius) <= 0.0
             {
                 let message = text!(
-                    "The points where the ball goes down leave no room for a protection zone{advice}",
+                    "The points where the ball descends leave no room for a protection zone{advice}",
                     self.request.advice()
                 );
                 return Err(refused("cycle-no-zone", clearance.field, message));
@@ -430,7 +430,7 @@ impl Plan<'_> {
             self.check_zones(&probed, &[pairs.sides[0].clearance])?;
             if turned && self.request.work_offset.is_some() {
                 let message = text!(
-                    "No source says how CYCLE977 corrects a work offset along a turned groove or web: write no work offset{advice}",
+                    "No source documents how CYCLE977 corrects a work offset along a rotated groove or web: write no work offset{advice}",
                     self.request.advice()
                 );
                 return Err(refused("cycle-not-parallel", "control.workOffset", message));
@@ -485,7 +485,7 @@ impl Plan<'_> {
             let message = match alarm {
                 Some(_) => {
                     text!(
-                        "On the nominal part the cycle would touch something on its way{advice}",
+                        "On the nominal part the cycle would collide on its path{advice}",
                         self.request.advice()
                     )
                 }
@@ -536,7 +536,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     others.dedup();
     if !others.is_empty() {
         let message = text!(
-            "The cycle searches {path} before and behind each contact, and not the job's overtravel, and measures at its own feed",
+            "The cycle searches {path} before and after each contact instead of the job's overtravel, and measures at its own feed",
             others.join(" / ")
         );
         checker.warning("cycle-differs", "control.form", message);

@@ -162,7 +162,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
     if let (Some(line), true) = (program.second_input, names_input(text, '1')) {
         return Err(vec![ReadError {
             line,
-            message: text!("the program asks both probe inputs"),
+            message: text!("the program reads both probe inputs"),
             understood: true,
         }]);
     }
@@ -331,9 +331,7 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
                 .ok_or_else(|| text!("nothing can be assigned to this"))?;
             cursor.expect(",")?;
             if !cursor.text() {
-                return fault(text!(
-                    "this call is not known, or not with so many arguments"
-                ));
+                return fault(text!("this call is unknown, or has too many arguments"));
             }
             cursor.expect(",")?;
             message(&mut cursor, script)?;
@@ -350,17 +348,13 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
                 .ok_or_else(|| text!("a bracket is not closed"))?;
             let counts = if name == "CYCLE977" { 28..=29 } else { 22..=22 };
             if !counts.contains(&inner.split(',').count()) || inner.contains(['(', ')']) {
-                return fault(text!(
-                    "this call is not known, or not with so many arguments"
-                ));
+                return fault(text!("this call is unknown, or has too many arguments"));
             }
             script.push(line, BlockKind::Native);
             return Ok(());
         }
         _ => {
-            return fault(text!(
-                "this call is not known, or not with so many arguments"
-            ));
+            return fault(text!("this call is unknown, or has too many arguments"));
         }
     };
     cursor.expect(")")?;

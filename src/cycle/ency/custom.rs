@@ -98,7 +98,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             (Some(Accessor::Bol), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
             _ => {
                 let message = text!(
-                    "A custom code has a type (Int, Flt or Bol) and such a value: a whole number, a number, true or false"
+                    "A custom code has a type (Int, Flt or Bol) and a matching value: a whole number, a number, true or false"
                 );
                 section.checker.error("wrong-type", path, message);
                 continue;

@@ -9,7 +9,7 @@ const SMALLEST: f64 = 0.001;
 /// Position of a feature.
 pub const fn origin(label: &'static str) -> Field {
     Field::point("origin", label)
-        .group("Place")
+        .group("Position")
         .seen(BestView::Position)
 }
 
@@ -22,7 +22,7 @@ pub const fn top_centre() -> Field {
 pub const fn rotation() -> Field {
     Field::angle("rotation", "Rotation", 0.0)
         .help("How the feature is turned about the tool axis; counter-clockwise positive.")
-        .group("Place")
+        .group("Position")
         .seen(BestView::Rotation)
 }
 
@@ -76,7 +76,7 @@ pub const fn top_clearance() -> Field {
 /// Height above the top side from which the ball enters, if it enters from above.
 pub const fn entry_clearance() -> Field {
     Field::length("topClearance", "Top clearance", 10.0)
-        .help("How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth.")
+        .help("Height of the ball centre above the top side before it descends. Unchecked: it moves straight to the depth.")
         .range(SMALLEST, 1000.0)
         .usual(1.0, 200.0)
         .null_means("not checked")

@@ -163,7 +163,7 @@ form! {
         /// Where the target vector points in the plane; counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// How steeply the target vector points up from the plane: 90 is a top side, 0 a wall.
-        elevation: f64 = Field::angle("elevation", "Elevation", 90.0).range(0.0, 90.0).group("Place"),
+        elevation: f64 = Field::angle("elevation", "Elevation", 90.0).range(0.0, 90.0).group("Position"),
         /// From the surface to the ball centre where the touch begins.
         clearance: f64 = field::clearance("clearance", "Clearance", 10.0, "CmdPrm.Flt[-56]"),
         feed_distance: f64 = field::feed_distance(),

@@ -53,7 +53,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
     };
     if items.is_empty() {
         let message = text!(
-            "touches is empty: give every touch of the path, or null to take them from the dimensions"
+            "touches is empty: give every touch of the path, or null to compute them from the dimensions"
         );
         section.checker.error("wrong-count", place, message);
         return None;
@@ -88,7 +88,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             let vector = triple(section, item.get("vector"), words!("Target vector"), &format!("{path}.vector"), component);
             let length = vector.length();
             if section.checker.is_clean(&[&path]) && (length - 1.0).abs() > NEAR {
-                let message = text!("The target vector of touch {touch} has the length {length}: it must be a unit vector (1, give or take 0.001)", k + 1, crate::num::decimal(length, 4));
+                let message = text!("The target vector of touch {touch} has the length {length}: it must be a unit vector (1 ± 0.001)", k + 1, crate::num::decimal(length, 4));
                 section.checker.error("vector-not-unit", format!("{path}.vector"), message);
             }
             Pick { point, vector: vector.normalize_or(Vec3::Z) }
@@ -105,7 +105,7 @@ pub fn none_overhangs(picks: &[Pick], plane: Plane, checker: &mut Checker) {
         .filter(|(_, pick)| pick.vector.dot(plane.basis()[2]) < -NEAR)
     {
         let message = text!(
-            "The target vector must not point down: the ball cannot come from below and be lifted afterwards"
+            "The target vector must not point down: the ball cannot touch from below and retract upwards"
         );
         checker.error(
             "vector-wrong-way",
@@ -235,7 +235,7 @@ pub fn below_top(
     for &k in touches {
         if (picks[top].point - picks[k].point).dot(up) < SMALLEST / 2.0 {
             let message = text!(
-                "Touch {touch} must lie below touch {top}, which is on the top side",
+                "Touch {touch} must be below touch {top}, which is on the top side",
                 k + 1,
                 top + 1
             );
@@ -297,7 +297,7 @@ pub fn one_start(readings: &[(usize, Vec3)], farthest: f64, checker: &mut Checke
         .find(|(_, p)| p.distance(readings[0].1) > near)
     {
         let message = text!(
-            "The start is not one point: touch {first} and its clearance put it at {place}, touch {other} and its clearance at {place2}",
+            "The start position is ambiguous: touch {first} and its clearance give {place}, touch {other} and its clearance give {place2}",
             readings[0].0 + 1,
             place(readings[0].1, checker),
             k + 1,

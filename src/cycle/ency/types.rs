@@ -91,7 +91,7 @@ pub static SURFACE: CycleDef = CycleDef {
 pub static HOLE: CycleDef = CycleDef {
     key: "hole",
     title: "Hole",
-    summary: "A bore or a ring: centre and diameter, touched from its middle.",
+    summary: "A bore or a ring: centre and diameter, touched from the centre.",
     search_words: "bore ring inside diameter circle",
     name: "BORE",
     probes: FeatureKind::Hole,
@@ -117,7 +117,7 @@ pub static HOLE: CycleDef = CycleDef {
 pub static HOLE_PROTECTED: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
-    summary: "A bore with something standing in the middle: the probe goes up and over it between the touches.",
+    summary: "A bore with an island in the middle: the probe moves up and over it between the touches.",
     search_words: "bore ring island inside diameter circle over",
     name: "BORE",
     probes: FeatureKind::HoleProtected,
@@ -158,7 +158,7 @@ pub static BOSS: CycleDef = CycleDef {
 pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
     key: "internal-rectangle",
     title: "Internal rectangle",
-    summary: "A pocket: centre, length and width, touched from its middle.",
+    summary: "A pocket: centre, length and width, touched from the centre.",
     search_words: "pocket window inside",
     name: "POCKET",
     probes: FeatureKind::Pocket,
@@ -183,7 +183,7 @@ pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
 pub static INTERNAL_RECTANGLE_PROTECTED: CycleDef = CycleDef {
     key: "internal-rectangle-protected",
     title: "Internal rectangle, protected",
-    summary: "A pocket with something standing in the middle: the probe goes up and over it between the touches.",
+    summary: "A pocket with an island in the middle: the probe moves up and over it between the touches.",
     search_words: "pocket window island inside over",
     name: "POCKET",
     probes: FeatureKind::PocketProtected,
@@ -334,7 +334,7 @@ pub static GROOVE: CycleDef = CycleDef {
 pub static GROOVE_PROTECTED: CycleDef = CycleDef {
     key: "groove-protected",
     title: "Groove, protected",
-    summary: "A slot with something standing in it: the probe goes up and over it between the touches.",
+    summary: "A slot with an island in it: the probe moves up and over it between the touches.",
     search_words: "slot keyway channel gap island inside width over",
     name: "GROOVE",
     probes: FeatureKind::GrooveProtected,
@@ -504,7 +504,7 @@ pub static TRIPLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
 pub static WALL_ANGLE: CycleDef = CycleDef {
     key: "wall-angle",
     title: "Angle of a wall",
-    summary: "A straight wall or jaw, touched twice: how far it is turned.",
+    summary: "A straight wall or jaw, touched twice: its rotation.",
     search_words: "rotation skew edge fence vise jaw parallel align basic rotation",
     name: "WALL",
     probes: FeatureKind::Wall,

@@ -24,7 +24,7 @@ impl Reader {
             let line = numbered(&self.files, *first);
             let message = if code == "touch-missed" {
                 text!(
-                    "The touch in line {line} meets nothing: the control stops there with an alarm",
+                    "The touch in line {line} has no contact: the control stops there with an alarm",
                     line
                 )
             } else {
@@ -88,23 +88,23 @@ impl Reader {
         all.extend([
             (take(&mut self.after_end), "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed")),
             (take(&mut self.computed), "places-computed", text!(
-                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
+                "Positions that the control computes, or along a tool whose length was changed, are unknown until the program gives a number"
             )),
-            (take(&mut self.machine), "machine-places", text!("Positions in machine coordinates are not known in work coordinates")),
+            (take(&mut self.machine), "machine-places", text!("Positions in machine coordinates are unknown in work coordinates")),
             (take(&mut self.transformed), "places-transformed", text!(
-                "Where the coordinate system lies from here on is not known, or the radius of the tool is compensated: positions are as they are written, and those of different systems may not lie side by side"
+                "The coordinate system is unknown from here on, or the tool radius is compensated: positions are shown as written, and those of different systems may not match"
             )),
             (take(&mut self.from_unknown), "start-unknown", text!("Incremental moves start from an unknown position: 0 is assumed")),
-            (take(&mut self.arcs_unsolved), "arc-unsolved", text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here")),
+            (take(&mut self.arcs_unsolved), "arc-unsolved", text!("Splines are shown straight, and so are arcs with an unknown centre or start or with an end off the circle")),
             (take(&mut self.others), "lines-skipped", text!("Axes other than X, Y and Z are not followed")),
             (take(&mut self.optional), "lines-optional", text!("Optional blocks (/) are read here; the control omits them while block skip is on")),
-            (take(&mut self.branches), "branch-ends", text!("Branches whose condition is not known end the program: the run continues as if they were not taken")),
+            (take(&mut self.branches), "branch-ends", text!("Branches with an unknown condition end the program: the run continues as if they were not taken")),
             (take(&mut self.aborted), "program-stops", text!("The program stops itself with a message")),
             (take(&mut self.own_moves), "own-moves", text!("The moves of these macros are those of one edition: feeds, and the way back between their two touches, are settings of an installation")),
-            (take(&mut self.own_cycles), "own-moves", text!("The moves of these cycles are documented; SET_UP of the touch probe table is taken for 0, and a touch to search 10 mm behind its contact")),
+            (take(&mut self.own_cycles), "own-moves", text!("The moves of these cycles are documented. SET_UP of the touch probe table is assumed to be 0, and the overtravel of a touch 10 mm")),
             (take(&mut self.measuring_cycles), "own-moves", text!("The moves of these measuring cycles follow a manual and generators; the paths between the touches are our interpretation")),
-            (take(&mut self.stopped), "macro-stops", text!("A macro of the control's own stops the program with an alarm: it meets nothing where it must, or something where it must not")),
-            (take(&mut self.probe_words), "probe-word", text!("P in a probing block writes the work offset on a FluidNC, and other controls refuse it or take it for something else: name the control")),
+            (take(&mut self.stopped), "macro-stops", text!("A native macro stops the program with an alarm: it has no contact where it needs one, or a contact elsewhere")),
+            (take(&mut self.probe_words), "probe-word", text!("P in a probing block writes the work offset on a FluidNC; other controls refuse it or read it as something else: choose the control")),
             (take(&mut self.twice), "words-twice", text!("A block has two motions, or one axis twice: the last one is used")),
         ]);
         all
@@ -123,12 +123,16 @@ fn numbered(files: &[(u32, String)], line: u32) -> String {
 fn say_units(late: Option<usize>, path: &Toolpath, checker: &mut Checker) {
     if let Some(line) = late {
         let message = text!(
-            "Moves above line {line} are taken to be in its units: none are stated before",
+            "Moves above line {line} are read in its units, because the text states none before",
             line + 1
         );
         checker.warning("no-units", "", message);
     }
     if path.metric.is_none() && !path.is_empty() {
-        checker.info("no-units", "", text!("The program does not say its units"));
+        checker.info(
+            "no-units",
+            "",
+            text!("The program does not state its units"),
+        );
     }
 }

@@ -179,7 +179,7 @@ pub(super) fn by_name(named: &UnfollowedCount) -> Text {
     let (name, foreign) = (printable(&named.name), named.foreign);
     if let Some(title) = named.title {
         return text!(
-            "{code} ({title}) is one of the control's own cycles: its moves are its own, and positions after it are not known until a number is given",
+            "{code} ({title}) is a native cycle: it chooses its moves, and positions after it are unknown until the program gives a number",
             name,
             title.to_owned()
         );
@@ -191,7 +191,7 @@ pub(super) fn by_name(named: &UnfollowedCount) -> Text {
         )
     } else {
         text!(
-            "{code} is not known here: its block is not followed, and positions after it are not known until a number is given",
+            "{code} is unknown: its block is not followed, and positions after it are unknown until the program gives a number",
             name
         )
     }

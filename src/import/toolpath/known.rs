@@ -107,7 +107,7 @@ impl<'t> RunInputs<'t> {
                     "wrong-type",
                     "",
                     text!(
-                        "What is known of a program must be an object, not {given}",
+                        "The inputs of a program must be an object, not {given}",
                         other.noun()
                     ),
                 );
@@ -170,7 +170,7 @@ impl<'t> RunInputs<'t> {
                     );
                 }
                 _ => {
-                    let message = text!("{path} is not known here", printable(key));
+                    let message = text!("{path} is unknown", printable(key));
                     checker.error("unknown-key", printable(key), message);
                 }
             }
@@ -225,7 +225,7 @@ fn start(value: &Value, checker: &mut Checker) -> Option<[f64; 3]> {
         checker.error(
             "wrong-type",
             "start",
-            text!("start must be three numbers, or null for what is not known"),
+            text!("start must be three numbers, or null where it is unknown"),
         );
     }
     place
@@ -240,7 +240,7 @@ fn numbers<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'
             Value::Number(x) if x.is_finite() && is_variable(name) => set.push((name.trim(), *x)),
             Value::Number(x) if x.is_finite() => {
                 let message = text!(
-                    "{name} is no variable: write #5, R1, Q1, or its name as the program has it",
+                    "{name} is no variable: write #5, R1, Q1, or its name as in the program",
                     printable(name)
                 );
                 checker.error("unknown-value", path, message);

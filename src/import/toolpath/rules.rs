@@ -290,7 +290,7 @@ fn spindle(log: &Log, last: usize) -> RunRule {
         (true, _) if !may.is_empty() => row(
             RULE,
             None,
-            text!("Conditions that are not known start the spindle before the last touch"),
+            text!("Unknown conditions start the spindle before the last touch"),
             may,
         ),
         (false, _) => row(
@@ -396,7 +396,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     match (bad.is_empty(), unknown.is_empty()) {
         (false, _) if path.dialect == DIALECTS[2] => {
             let message = text!(
-                "Positioning moves below the clearance height of the next cycle are not watched: a contact in them goes unnoticed. Go there at Q260 or above"
+                "Positioning moves below the clearance height of the next cycle are not watched: a contact in them goes unnoticed. Move there at Q260 or above"
             );
             row(WATCHED, Some(false), message, bad)
         }
@@ -412,21 +412,21 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
             WATCHED,
             None,
             text!(
-                "Whether these moves only go up or back from a touch is not known: their places are not"
+                "Whether these moves only go up or retract from a touch is unknown, because their positions are"
             ),
             unknown,
         ),
         (true, true) => row(
             WATCHED,
             Some(true),
-            text!("Every positioning move is watched, goes straight up, or goes back from a touch"),
+            text!("Every positioning move is watched, moves straight up, or retracts from a touch"),
             Vec::new(),
         ),
     }
 }
 
 fn may_be_asked() -> Text {
-    text!("Whether the program asks for a contact after these moves is not known")
+    text!("Whether the program checks for contact after these moves is unknown")
 }
 
 fn missed(path: &Toolpath, log: &Log, touches: &[&Touch], last: usize) -> RunRule {
@@ -459,7 +459,7 @@ fn missed(path: &Toolpath, log: &Log, touches: &[&Touch], last: usize) -> RunRul
         return row(
             RULE,
             Some(true),
-            text!("Every touch is asked for its contact, or stops the program without one"),
+            text!("Every touch is checked for contact, or stops the program without one"),
             bad,
         );
     }
@@ -521,27 +521,27 @@ fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     match (bad.is_empty(), unknown.is_empty()) {
         (false, _) if path.dialect == DIALECTS[2] => {
             let message = text!(
-                "Rapids go down or across between the touches, below the clearance height of the next cycle: a rapid does not stop in time. Go there at Q260 or above"
+                "Rapids move down or across between the touches, below the clearance height of the next cycle: a rapid does not stop in time. Move there at Q260 or above"
             );
             row(NO_LOW_RAPID, Some(false), message, bad)
         }
         (false, _) => {
             let message = text!(
-                "Rapids go down or across between the touches, lower than the program began: a rapid does not stop in time. Write G1 with a feed, watched"
+                "Rapids move down or across between the touches, lower than the program began: a rapid does not stop in time. Write G1 with a feed, watched"
             );
             row(NO_LOW_RAPID, Some(false), message, bad)
         }
         (true, false) => row(
             NO_LOW_RAPID,
             None,
-            text!("How low these rapids go is not known"),
+            text!("The lowest position of these rapids is unknown"),
             unknown,
         ),
         (true, true) => row(
             NO_LOW_RAPID,
             Some(true),
             text!(
-                "No rapid goes down or across between the touches, but at the height where the program began"
+                "No rapid moves down or across between the touches, except at the height where the program began"
             ),
             Vec::new(),
         ),
@@ -590,14 +590,14 @@ fn what(writes: &[&Write]) -> String {
 fn if_all_is_seen(rule: &'static str, log: &Log, holds: Text) -> RunRule {
     if let Some(line) = log.stopped {
         let message = text!(
-            "Not known: an alarm ends the run in line {line}",
+            "Unknown: an alarm ends the run in line {line}",
             line as usize + 1
         );
         return row(rule, None, message, vec![line as usize]);
     }
     if !log.unread.is_empty() {
         let message = text!(
-            "Not known: what is written in lines that are not understood, and by what they call"
+            "Unknown: writes in lines that are not understood, and in programs that they call"
         );
         return row(
             rule,
@@ -628,13 +628,13 @@ fn writes(log: &Log, first: usize, last: usize) -> RunRule {
         (false, true) => if_all_is_seen(
             WRITE_LAST,
             log,
-            text!("What is written is written after the last touch"),
+            text!("Every write is after the last touch"),
         ),
         (false, false) => row(
             WRITE_LAST,
             Some(false),
             text!(
-                "{what} is written before the last touch has succeeded: keep the values, and write once at the end",
+                "{what} is written before the last touch has succeeded: store the values, and write once at the end",
                 what(&early)
             ),
             lines(&early),
@@ -673,13 +673,13 @@ fn plausible(log: &Log, first: usize, last: usize) -> RunRule {
         (true, _) => if_all_is_seen(
             PLAUSIBLE,
             log,
-            text!("The program writes nothing that was measured"),
+            text!("The program writes no measured value"),
         ),
         (false, false) => row(
             PLAUSIBLE,
             Some(false),
             text!(
-                "{what} is written whatever was measured: compare the results with what they should be before, and stop with an alarm where they are off by too much",
+                "{what} is written for any measured value: compare the results with their nominal values first, and stop with an alarm if they deviate too much",
                 what(&unasked)
             ),
             lines(&unasked),
@@ -688,7 +688,7 @@ fn plausible(log: &Log, first: usize, last: usize) -> RunRule {
             PLAUSIBLE,
             None,
             text!(
-                "Conditions stand between the last touch and the write: whether they compare the results is not known"
+                "There are conditions between the last touch and the write: whether they compare the results is unknown"
             ),
             log.conditions
                 .iter()
@@ -705,14 +705,14 @@ fn waits(log: &Log) -> RunRule {
         true => row(
             "waits-stated",
             Some(true),
-            text!("Every wait says how long"),
+            text!("Every wait states its time"),
             lines,
         ),
         false => row(
             "waits-stated",
             Some(false),
             text!(
-                "These waits do not say how long: an alarm on one control, none at all on the next. Write the time behind G4"
+                "These waits state no time: an alarm on one control, no wait on another. Write the time after G4"
             ),
             lines,
         ),
@@ -725,14 +725,14 @@ fn left(log: &Log) -> RunRule {
             "modes-left",
             None,
             text!(
-                "Not known: G91 is active at the end if the program goes certain ways, which depend on conditions that are not known"
+                "Unknown: G91 is active at the end of some branches, which depend on unknown conditions"
             ),
             Vec::new(),
         ),
         _ if log.maybe_changed => row(
             "modes-left",
             None,
-            text!("Not known: what is called, and is not in this text, may change G90 and G91"),
+            text!("Unknown: a called program that is not in this text may change G90 and G91"),
             Vec::new(),
         ),
         (true, _) => row(

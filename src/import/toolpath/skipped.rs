@@ -40,12 +40,12 @@ pub(super) struct Skipped([Count; 7]);
 impl Skip {
     fn text(self) -> Text {
         match self {
-            Skip::Condition => text!("Whether these conditions hold is not known"),
-            Skip::Value => text!("These variables get a value that is not known"),
+            Skip::Condition => text!("The result of these conditions is unknown"),
+            Skip::Value => text!("These variables get an unknown value"),
             Skip::Call => {
-                text!("What is called here is not in this text: positions after it are not known")
+                text!("The called program is not in this text: positions after it are unknown")
             }
-            Skip::Jump => text!("Where the program jumps to is not known"),
+            Skip::Jump => text!("The target of the jump is unknown"),
             Skip::Canned => text!("Canned cycles are not followed"),
             Skip::Words => text!("Lines that are not understood are not followed"),
             Skip::Endless => {

@@ -221,7 +221,7 @@ pub fn as_results<'t>(
             // A repeated value belongs to another run; reading the results reports it.
             let Some(i) = found.or_else(|| formula.results.iter().position(is)) else {
                 let message = text!(
-                    "Line {line} is of a nominal value that no result of this job has: \"{text}\". Is it from this job?",
+                    "Line {line} has a nominal value that no result of this job has: \"{text}\". Is it from this job?",
                     line + 1,
                     text.trim().chars().take(60).collect::<String>()
                 );

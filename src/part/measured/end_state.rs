@@ -48,7 +48,7 @@ pub fn away(
     let comparable = !work || shift.offset == Some(1);
     (comparable && (at * scale).distance(end) > ROUNDED).then(|| {
         text!(
-            "line {line} shows it at another place than the end of the program",
+            "line {line} shows it at another position than the end of the program",
             number
         )
     })

@@ -132,7 +132,7 @@ fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Measurement
                 continue;
             }
             (true, _) => text!(
-                "The contact in line {line} is not where the program touches: a positioning move met something, or reports are missing. Give the whole log of one run",
+                "The contact in line {line} is not at a touch of the program: a positioning move had a contact, or reports are missing. Paste the whole log of one run",
                 *line
             ),
             // A miss ends the program.
@@ -253,7 +253,7 @@ fn placed(
         None => match (fits(1.0), fits(INCH)) {
             (true, true) if inch_job => {
                 let message = text!(
-                    "The reports can be in mm or in inch, both are in reach of the touches: add a line $13=0 (mm) or $13=1 (inch), as the answer to $$ says it"
+                    "The reports can be in mm or in inch, both are in reach of the touches: add the line $13=0 (mm) or $13=1 (inch) from the answer to $$"
                 );
                 checker.error("units-unclear", "measured", message);
                 return None;
@@ -267,14 +267,14 @@ fn placed(
             }
             (false, true) => {
                 let message = text!(
-                    "The log does not say $13: the reports are read in inch, since in mm they are out of reach of the touches"
+                    "The log does not state $13: the reports are read in inch, since in mm they are out of reach of the touches"
                 );
                 checker.warning("units-found", "measured", message);
                 INCH
             }
             (true, false) if inch_job => {
                 let message = text!(
-                    "The log does not say $13: the reports are read in mm, since in inch they are out of reach of the touches"
+                    "The log does not state $13: the reports are read in mm, since in inch they are out of reach of the touches"
                 );
                 checker.warning("units-found", "measured", message);
                 1.0

@@ -110,7 +110,7 @@ impl Log {
                 .find(|pair| pair[0].2 != pair[1].2 && pair[0].1 == pair[1].1);
             if let Some([(one, ..), (other, ..)]) = twice {
                 let message = text!(
-                    "Lines {one} and {other} report the same place in two ways: whether these are two touches is not clear. Keep one report a touch",
+                    "Lines {one} and {other} report the same position in two ways: whether these are two touches is unclear. Keep one report per touch",
                     *one,
                     *other
                 );

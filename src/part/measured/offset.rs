@@ -103,7 +103,7 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Ma
     match (reported, summed) {
         (Some((by, line)), Some(sum)) if !same(sum, by) => {
             let message = text!(
-                "WCO in line {line} is not what {offset}, G92 and TLO in the answer to $# make: which one held during the run is not clear",
+                "WCO in line {line} does not match {offset}, G92 and TLO in the answer to $#: which one was active during the run is unclear",
                 line,
                 word(active.unwrap_or(1))
             );
@@ -219,7 +219,7 @@ fn needed(gathered: &OffsetEvidence, active: Option<u8>) -> Text {
             "The touches are in machine coordinates. The answer to $# is there, but not which work offset was active: write it as the first line, G54 … G59"
         ),
         (None, None) => text!(
-            "The touches are in machine coordinates, and the text does not say the work offset. Type $# and paste the answer, and write the work offset that the program ran in as the first line, G54 … G59; or paste a status report with WCO: from before the touches"
+            "The touches are in machine coordinates, and the text does not state the work offset. Type $# and paste the answer, and write the work offset of the program as the first line, G54 … G59; or paste a status report with WCO: from before the touches"
         ),
     }
 }

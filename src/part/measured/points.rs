@@ -95,7 +95,7 @@ pub fn lines(checker: &mut Checker, text: &str) -> Vec<Option<Vec3>> {
             }
             Some(p) => {
                 let message = text!(
-                    "Line {line} holds {count} numbers; a point is 3 of them, a line of LinuxCNC's log 9",
+                    "Line {line} has {count} numbers; a point has 3, a line of LinuxCNC's log 9",
                     index + 1,
                     p.len()
                 );

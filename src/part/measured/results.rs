@@ -245,7 +245,7 @@ fn take(
     match values[at] {
         Some((known, before)) if known != value => {
             let message = text!(
-                "Lines {one} and {other} say different values of {code}: give the results of one run only",
+                "Lines {one} and {other} have different values of {code}: paste the results of one run only",
                 before,
                 number,
                 code.clone().into_owned()

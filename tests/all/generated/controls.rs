@@ -11,7 +11,7 @@ fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     // Rows of the table alone: a program of moves states its modes and ends.
     if matches!(def.probes, FeatureKind::Switch | FeatureKind::Action) {
         return match ProgramForm::ALL.map(|form| (post.supports)(def.probes, form).is_ok()) {
-            [_, true] => "own cycle",
+            [_, true] => "native cycle",
             [true, false] => "table only",
             [false, false] => "–",
         };
@@ -19,7 +19,7 @@ fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     match ProgramForm::ALL.map(|form| (post.supports)(def.probes, form).is_ok()) {
         [true, true] => "moves, own cycle",
         [true, false] => "moves",
-        [false, true] => "own cycle",
+        [false, true] => "native cycle",
         [false, false] => "–",
     }
 }
@@ -124,7 +124,7 @@ pub fn page() -> String {
             let what = if form == ProgramForm::Moves {
                 "moves"
             } else {
-                "own cycle"
+                "native cycle"
             };
             match reasons.iter_mut().find(|(known, _)| *known == why) {
                 Some((_, titles)) if titles.last() != Some(&def.title) => titles.push(def.title),

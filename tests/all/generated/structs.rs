@@ -92,7 +92,7 @@ const HEAD: &str =
     "// Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
 import type { Cycle, PostId, Relation, Vec3 } from \"./job-types.js\";
-import type { Said } from \"./said.js\";
+import type { Message } from \"./said.js\";
 ";
 
 /// The verdict of the whole workpiece says what the control does then.
@@ -253,7 +253,7 @@ fn type_of(ty: &Type) -> String {
                 "f64" | "usize" | "i32" | "u8" => "number".to_owned(),
                 "bool" => "boolean".to_owned(),
                 "String" | "str" => "string".to_owned(),
-                "Text" => "Said".to_owned(),
+                "Text" => "Message".to_owned(),
                 "Triple" => "Vec3".to_owned(),
                 "Vec" => format!("{}[]", grouped(inner())),
                 "Option" => format!("{} | null", inner()),

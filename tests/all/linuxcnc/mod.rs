@@ -404,7 +404,7 @@ fn places(job: &Value, plan: &Plan, results: &[(&'static str, f64)]) -> [Option<
     places
 }
 
-/// With an offset and a rotation already in the system, the feature must still come to its nominal place: what is at the
+/// With an offset and a rotation already in the system, the feature must still come to its nominal position: what is at the
 /// measured point in the old system is at the nominal point in the new one.
 #[test]
 fn the_write_is_right_under_a_rotation_that_was_active_before() {

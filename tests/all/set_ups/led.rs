@@ -198,7 +198,7 @@ fn the_other_controls_compute_a_relation_before_what_follows_it() {
     the_machines_measure_what_is_shown(&fewer);
 }
 
-/// A relation that is off by more than its limit: each control stops before the cycle that follows it, and writes nothing.
+/// A relation that deviates by more than its limit: each control stops before the cycle that follows it, and writes nothing.
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle() {
     for (post, how) in computing()

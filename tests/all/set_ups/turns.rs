@@ -182,7 +182,7 @@ fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
     near(gone, outmost + 0.6, 2e-6, "half of 1.2 mm farther out");
 }
 
-/// What the program writes is what the plan says is written, what `datum` takes and what has a row `offset`: also where the numbers of a job are no short
+/// Values that the program writes is what the plan says is written, what `datum` takes and what has a row `offset`: also where the numbers of a job are no short
 /// decimals.
 #[test]
 fn what_a_turned_cycle_writes_is_listed_by_the_same_name() {

@@ -99,7 +99,7 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
     assert!(compared > 150 && deviating > 20, "{compared} {deviating}");
 }
 
-/// With a shift and a turn in the frame already, what was measured must come to its nominal place: the machine position of the
+/// With a shift and a turn in the frame already, what was measured must come to its nominal position: the machine position of the
 /// measured point in the old frame is that of the nominal point in the new one.
 #[test]
 fn the_frame_is_written_once_and_is_right_under_a_turn_that_was_there() {

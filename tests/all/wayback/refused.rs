@@ -245,9 +245,9 @@ fn no_block_where_the_machine_may_have_moved() {
         (">>> G0 X10", "moves the machine after the end"),
         (
             "<Idle|MPos:-190.000,-150.000,-30.000|FS:0,0>",
-            "another place",
+            "another position",
         ),
-        ("<Idle|WPos:10.000,0.000,30.000|FS:0,0>", "another place"),
+        ("<Idle|WPos:10.000,0.000,30.000|FS:0,0>", "another position"),
         ("ALARM:3", "an alarm or an error"),
         ("error:9", "an alarm or an error"),
         (">>> G10 L20 P1 X0", "changes an offset"),

@@ -464,10 +464,7 @@ impl Program {
                     | ("CYCLE978", 22)
                     | ("MSG" | "SETAL", 1)
                     | ("WRITE", 3) => {}
-                    _ => say(
-                        line,
-                        "this call is not known, or not with so many arguments",
-                    ),
+                    _ => say(line, "this call is unknown, or has too many arguments"),
                 },
                 Statement::Declare(_) | Statement::Label(_) | Statement::Assign(..) => {}
             }

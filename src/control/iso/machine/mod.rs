@@ -323,7 +323,7 @@ fn stops() -> Text {
 fn not_in_a_proof(kind: &BlockKind) -> Text {
     match kind {
         BlockKind::SetOther(..) => text!("the control's own values must not be written"),
-        _ => text!("this goes to a place of the machine's own system"),
+        _ => text!("this moves to a position in machine coordinates"),
     }
 }
 
@@ -432,10 +432,7 @@ impl<'s, 't> Machine<'s, 't> {
         let block = &script.blocks[self.state.pc];
         self.spend(1);
         if self.budget_left.get() == 0 {
-            return Err(trouble(
-                block.line,
-                text!("the program does not come to an end"),
-            ));
+            return Err(trouble(block.line, text!("the program does not end")));
         }
         self.state.pc += 1;
         let flow = self.carry_out(block)?;
@@ -740,7 +737,7 @@ impl<'s, 't> Machine<'s, 't> {
                 return Err(trouble(step.line, text!("this touch makes no contact")));
             }
             (Motion::MustBeFree, Some(_)) => {
-                return Err(trouble(step.line, text!("this move hits something")));
+                return Err(trouble(step.line, text!("this move collides")));
             }
             _ => self.arrive(step.to, met),
         }

@@ -269,7 +269,7 @@ impl Probed for Corner {
             let (first, n1, other1) = (sides[n].first, n + 1, other + 1);
             let message = if first <= 0.0 {
                 text!(
-                    "The first touch of wall {wall} would fall {way} beyond the corner: at {angle}° clearance {other} must be larger than {least}",
+                    "The first touch of wall {wall} would be {way} past the corner: at {angle}° clearance {other} must be larger than {least}",
                     n1,
                     checker.length(-first),
                     angle,
@@ -323,7 +323,7 @@ impl Probed for Corner {
             }
             if !same {
                 let message = text!(
-                    "Touch {touch} does not lie on the same wall as touch {other}",
+                    "Touch {touch} is not on the same wall as touch {other}",
                     k + 1,
                     firsts[self.wall_of(k)] + 1
                 );
@@ -560,7 +560,7 @@ impl Probed for Corner {
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
         (self.counts.contains(&1) && code.starts_with("corner.")).then_some(words!(
-            "a wall with one touch is taken to have its nominal direction, wrong on a turned part: give it a second touch"
+            "a wall with one touch is assumed to have its nominal direction, which is wrong on a rotated part: add a second touch"
         ))
     }
 }

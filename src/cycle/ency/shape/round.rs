@@ -167,7 +167,7 @@ impl Probed for Circle {
             && !gives_circle(self.angles().into_iter().map(apart))
         {
             let message = text!(
-                "Fewer than three distinct touches give no circle: centre and diameter are not known"
+                "Fewer than three distinct touches define no circle: centre and diameter are unknown"
             );
             checker.warning("no-circle", "cycle.stepCount", message);
         }

@@ -176,7 +176,7 @@ impl Probed for Triple {
             checker.error(
                 "walls-parallel",
                 "cycle.touches",
-                text!("The three surfaces do not meet in one point: they make no corner"),
+                text!("The three surfaces do not meet in one point: they form no corner"),
             );
             return;
         }
@@ -398,6 +398,6 @@ impl Probed for Triple {
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
         code.starts_with("corner.")
-            .then_some(words!("each surface is touched once and taken to have its nominal direction, wrong on a turned part"))
+            .then_some(words!("each surface is touched once and assumed to have its nominal direction, which is wrong on a rotated part"))
     }
 }

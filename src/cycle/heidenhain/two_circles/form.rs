@@ -159,11 +159,11 @@ form! {
         set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).seen(BestView::Rotation).range(0.0, 99_999.999_9).usual(0.0, 50.0).code("Q320").group("Heights"),
         /// Clearance height? A height free of obstacles.
         clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).seen(BestView::Height).range(-99_999.999_9, 99_999.999_9).code("Q260").group("Heights"),
-        /// Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show.
+        /// Q320=PREDEF: the control reads the set-up clearance from GLOBAL DEF. The number above then only affects the moves shown.
         set_up_clearance_predef: bool = Field::flag("setUpClearancePredef", "Set-up clearance: PREDEF", false).group("Heights"),
-        /// Q260=PREDEF: the control takes the clearance height from GLOBAL DEF. The number above is then only what the moves show.
+        /// Q260=PREDEF: the control reads the clearance height from GLOBAL DEF. The number above then only affects the moves shown.
         clearance_height_predef: bool = Field::flag("clearanceHeightPredef", "Clearance height: PREDEF", false).group("Heights"),
-        /// Traverse to clearance height? When the ball goes there.
+        /// Traverse to clearance height? When the ball moves there.
         clearance_height_mode: i32 = Field::code_of("clearanceHeightMode", "Clear. height mode", 2, HEIGHT_MODE).code("Q1125").group("Heights"),
         /// Reaction to tolerance error?
         error_reaction: i32 = Field::code_of("errorReaction", "Error reaction", 0, REACTION).code("Q309").group("Both circles"),
@@ -171,7 +171,7 @@ form! {
         align_rotary_axis: i32 = Field::code_of("alignRotaryAxis", "Align rotary axis", 0, ALIGN).code("Q1126").group("After probing"),
         /// Transfer position? Which point corrects the active preset.
         transfer_position: i32 = Field::code_of("transferPosition", "Transfer position", 0, TRANSFER).code("Q1120").group("After probing"),
-        /// Confirm rotation? What becomes of the measured misalignment.
+        /// Confirm rotation? Use of the measured misalignment.
         confirm_rotation: i32 = Field::code_of("confirmRotation", "Confirm rotation", 0, CONFIRM).code("Q1121").group("After probing"),
         /// Stylus position before the cycle.
         start: Vec3 = Field::point("start", "Stylus before the cycle").at([0.0, 0.0, 100.0]).group("Heights"),
@@ -188,7 +188,7 @@ form! {
         /// F of the touch probe table: the probing feed.
         feed: f64 = Field::feed("feed", "F", 300.0).usual(5.0, 1000.0).group("Touch probe table"),
         /// FMAX of the touch probe table: the rapid for positioning.
-        rapid: Option<f64> = Field::feed("rapid", "FMAX", 2000.0).usual(50.0, 10_000.0).null_by_default().null_means("control's own").group("Touch probe table"),
+        rapid: Option<f64> = Field::feed("rapid", "FMAX", 2000.0).usual(50.0, 10_000.0).null_by_default().null_means("native").group("Touch probe table"),
     }
 }
 

@@ -43,10 +43,10 @@ pub static DEF: CycleDef = CycleDef {
         "Positioning logic: from below the clearance height first up to it, then in the plane; from above in the plane, then down",
         "At rapid to the set-up clearance before the first touch: Q320, SET_UP and the ball radius together",
         "At the probing feed down to the measuring height, and touch the first hole or stud",
-        "Where the clearance height mode says so, back to the clearance height",
+        "If the clearance height mode requires it, back to the clearance height",
         "To centre 2",
         "At the probing feed down to the measuring height, and touch the second hole or stud",
-        "Where the clearance height mode says so, back to the clearance height; the results are stored",
+        "If the clearance height mode requires it, back to the clearance height; the results are stored",
     ],
     interpretations: &[
         "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3, the parameters of 1493, that PREDEF stands for a value \

@@ -94,7 +94,7 @@ impl TwoCircles {
         let [one, two] = self.objects().map(|object| object.place());
         if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
             let message = text!(
-                "Both circles are in one place: the line through their centres has no direction"
+                "Both circles are at the same position: the line through their centres has no direction"
             );
             checker.error("no-direction", "cycle.point2", message);
         }
@@ -106,7 +106,7 @@ impl TwoCircles {
             .map(|object| Some([object.point[0].actual?, object.point[1].actual?]));
         if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
             let message = text!(
-                "Both circles are given in one place: the line through their centres has no direction"
+                "Both circles have the same nominal position: the line through their centres has no direction"
             );
             checker.error("no-direction", "cycle.point2", message);
         }
@@ -168,7 +168,7 @@ impl TwoCircles {
         let nearest = pairs.fold(360.0, f64::min);
         if nearest < NEAREST {
             let message = text!(
-                "Two touches of a circle would lie {nearest}° apart: at least {least}° is needed, or there is no circle to compute",
+                "Two touches of a circle would be {nearest}° apart: at least {least}° is needed to compute the circle",
                 crate::num::decimal(nearest, 4),
                 crate::num::decimal(NEAREST, 1)
             );
@@ -245,14 +245,13 @@ impl TwoCircles {
             let farthest = if field == point { a.max(b) } else { -a.min(b) };
             if a.min(b) >= way {
                 let message = text!(
-                    "Even a part within tolerance is in the way: object {number} is where the ball goes down",
+                    "Even a part within tolerance is in the way: the ball descends onto object {number}",
                     number
                 );
                 checker.error("zone-beyond-clearance", field, message);
             } else if a.max(b) >= way {
                 let message = text!(
-                    "A good part can be in the way: at the limits of this tolerance object {number} reaches to where the ball goes down. More \
-                     set-up clearance keeps the ball off it",
+                    "A good part can be in the way: at the limits of this tolerance object {number} reaches the point where the ball descends. A larger set-up clearance avoids it",
                     number
                 );
                 checker.warning("zone-beyond-clearance", field, message);
@@ -301,8 +300,7 @@ impl TwoCircles {
         let small = object.hole && diameter / 2.0 < self.stand_off(setup);
         if small {
             let message = text!(
-                "Hole {number} is too small for the set-up clearance: the control asks, and continues from the centre with the \
-                 reachable clearance of {reachable}",
+                "Hole {number} is too small for the set-up clearance: the control shows a message, then continues from the centre with the reachable clearance of {reachable}",
                 number,
                 checker.length(reachable)
             );
@@ -356,7 +354,7 @@ impl TwoCircles {
                     < (2.0 * setup.radius).max(5.0) - 1e-6
                 {
                     let message = text!(
-                        "The clearance height is {height} above the measuring height of object {number}: the cycle knows no top side, and the ball crosses the object at that height",
+                        "The clearance height is {height} above the measuring height of object {number}: the cycle has no top side, and the ball crosses the object at that height",
                         checker.length(self.form.clearance_height - highest),
                         object.number
                     );
@@ -405,8 +403,7 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
     match object.state {
         PositionSource::SemiAutomatic => {
             let message = text!(
-                "Object {number} is semi-automatic: the control stops there and the operator moves the probe to it; no path can \
-                 be shown, and results that need it are not known. Clearance height modes 1 and 2 are not used for it",
+                "Object {number} is semi-automatic: the control stops there and the operator moves the probe to it. No path can be shown, and results that need the object are unknown. Clearance height modes 1 and 2 are not used for it",
                 number
             );
             checker.info("semi-automatic", point, message);

@@ -87,9 +87,7 @@ fn give(
 fn unknown() -> ResultRow {
     let mut row = row("Q183", words!("Workpiece status"), Unit::None, 0.0);
     row.value = None;
-    row.with_verdict(text!(
-        "not known: a value with a tolerance was not measured"
-    ))
+    row.with_verdict(text!("unknown: a value with a tolerance was not measured"))
 }
 
 /// Q183 and the reaction by Q309.
