@@ -24,9 +24,9 @@ for (const [place, version] of Object.entries(versions))
   if (version !== wanted)
     problems.push(`${place} says ${version}, package.json ${wanted}`);
 const changelog = text("CHANGELOG.md");
-if (!changelog.includes(`\n## ${wanted}\n`))
-  problems.push(`CHANGELOG.md has no section ${wanted}`);
-if (/^## Not yet released$/m.test(changelog))
+if (!changelog.includes(`\n## ${wanted} (20`))
+  problems.push(`CHANGELOG.md has no dated section ${wanted}`);
+if (changelog.includes("(not yet released)"))
   problems.push("CHANGELOG.md has changes that are not yet released");
 for (const problem of problems) console.error(problem);
 process.exit(problems.length > 0 ? 1 : 0);

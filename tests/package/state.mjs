@@ -120,7 +120,7 @@ export const program = (/** @type {any} */ store) =>
 export function listen(/** @type {any} */ store) {
   /** @type {string[]} */
   const told = [];
-  store.addEventListener("told", (/** @type {any} */ event) =>
+  store.addEventListener("announcement", (/** @type {any} */ event) =>
     told.push(store.say(event.detail)),
   );
   return told;

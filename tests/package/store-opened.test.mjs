@@ -76,7 +76,7 @@ test("kept text that cannot be read was passed over in silence", () => {
     const store = new Store({ local: true });
     assert.match(
       store.say(store.notice),
-      /What was kept in this browser cannot be used/,
+      /The state stored in this browser cannot be used/,
     );
     assert.equal(store.get("cycle.width1"), 80);
   });

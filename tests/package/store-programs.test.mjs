@@ -105,7 +105,7 @@ test("a probing move, its feeds and what is not followed are told apart in a pro
   assert.equal(kinds.filter((kind) => kind === "probe").length, 1);
   assert.match(
     moves.findings.map((/** @type {any} */ f) => f.message).join(),
-    /a value that is not known: once, in line 8/,
+    /get an unknown value: once, in line 8/,
   );
 });
 

@@ -155,7 +155,10 @@ test("what is said is the message, and the message in another language", async (
         const means = meanings(changed);
         assert.equal(means.length, made.table.length);
         made.table.forEach((row, i) => {
-          said(row.meaning, /** @type {import("touchpath").Message} */ (means[i]));
+          said(
+            row.meaning,
+            /** @type {import("touchpath").Message} */ (means[i]),
+          );
         });
         for (const row of [
           ...made.results,

@@ -42,7 +42,7 @@ test("a preset of the same name gave way without a word, and a forgotten one was
   await dialog().getByRole("button", { name: "Use A" }).click();
   assert.equal(await held("stylus.diameter"), 6, "the first one is back");
   assert.equal(await held("feeds.work"), 90, "feeds were not chosen");
-  await dialog().getByRole("button", { name: "Forget A" }).click();
+  await dialog().getByRole("button", { name: "Delete A" }).click();
   assert.equal(
     await dialog().getByRole("button", { name: "Use A" }).count(),
     0,

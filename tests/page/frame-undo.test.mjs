@@ -223,7 +223,7 @@ test("Reset puts the form back at once, says so, and Undo brings everything back
   assert.equal(await field("cycle.width1").inputValue(), "80");
   await page
     .locator("tp-findings .note", {
-      hasText: "Undo brings back what was there",
+      hasText: "Undo restores the previous values",
     })
     .waitFor();
   await undo().click();

@@ -287,7 +287,7 @@ test("the safety rules stand in Checks, with what this control cannot hold and w
         hasText: "Every missed touch leads to the same exit",
       }),
     ),
-    /G38\.2 itself stops the program with an error where the ball is/,
+    /G38\.2 itself stops the program with an error at the current position/,
   );
   await field("control.protection").selectOption("none");
   assert.match(await textOf(checks.locator(".proof")), /1 does not/);

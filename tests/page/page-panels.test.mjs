@@ -268,7 +268,7 @@ test("this job on every control: what each makes of it, and the way there", asyn
         ]);
         return [
           post.title,
-          form === "moves" ? "moves" : "own cycle",
+          form === "moves" ? "moves" : "native cycle",
           made?.program
             ? String(made.program.text.split("\n").length - 1)
             : "–",

@@ -35,7 +35,7 @@ test("a machine is kept over a reload, and used it says so; one that leaves some
   await dialog()
     .getByRole("button", { name: "Keep the current values" })
     .click();
-  assert.match(await told(), /Kept “Mill 2 <b>”/);
+  assert.match(await told(), /Stored “Mill 2 <b>”/);
   await close();
   await page.getByRole("button", { name: "Undo" }).click();
   await page.getByRole("button", { name: "Undo" }).click();
@@ -46,7 +46,7 @@ test("a machine is kept over a reload, and used it says so; one that leaves some
   await dialog().getByRole("button", { name: "Use Mill 2 <b>" }).click();
   assert.match(
     await told(),
-    /“Mill 2 <b>” is used\. Undo brings back what was there\./,
+    /“Mill 2 <b>” is in use\. Undo restores the previous machine\./,
   );
   assert.deepEqual(
     [await held("stylus.diameter"), await held("control.post")],
@@ -72,7 +72,7 @@ test("machines are saved as a file and read again; a file that is none changes n
   const download = page.waitForEvent("download");
   await dialog().getByRole("button", { name: "Save all as a file" }).click();
   const text = readFileSync(await (await download).path(), "utf8");
-  await dialog().getByRole("button", { name: "Forget one" }).click();
+  await dialog().getByRole("button", { name: "Delete one" }).click();
   assert.deepEqual(await names(), ["two"]);
   await openFile("{");
   await tells(/Nothing was changed/);

@@ -96,7 +96,7 @@ test("a routine that computes with its touches was drawn up to the first of them
   assert.deepEqual((await moves()).slice(-3), [18, 40, -5]);
   assert.match(
     await textOf(viewer.locator(".assumed")),
-    /the start, work offsets and tool length 0, and where touches trigger/,
+    /start, work offsets and tool length 0, and the trigger points/,
   );
   // What it writes is listed, with its line.
   assert.match(
@@ -145,7 +145,7 @@ test("faults and touches had no place in the program: letters and numbers are in
     const letters = await list.allTextContents();
     assert.deepEqual(letters, ["A", "B", "C"].slice(0, letters.length));
     const written = page.locator("tp-viewer .checks li", {
-      hasText: "G54 X is written whatever was measured",
+      hasText: "G54 X is written for any measured value",
     });
     const letter = await textOf(written.locator(".fault"));
     assert.ok(
@@ -324,7 +324,7 @@ test("where a long program names its parts, and what is said of a line, could no
   await noted.click();
   assert.match(
     await textOf(page.locator("tp-viewer .read .notes")),
-    /G54 X is written whatever was measured/,
+    /G54 X is written for any measured value/,
   );
 });
 

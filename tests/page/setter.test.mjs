@@ -172,7 +172,7 @@ test("each cycle and each control has its page, one click away from where it is 
   assert.match(await textOf(page7), /None of it was run on a control/);
   await page.keyboard.press("Escape");
   await field("control.post").selectOption("grbl");
-  assert.match(await textOf(mark), /first way is not watched/);
+  assert.match(await textOf(mark), /approach is not watched/);
 });
 
 test("of what a control's own cycle does itself it is not said that the control cannot", async () => {

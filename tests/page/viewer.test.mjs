@@ -42,7 +42,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   );
   assert.match(
     await textOf(viewer.locator(".notes")),
-    /a value that is not known: once, in line 8/,
+    /get an unknown value: once, in line 8/,
   );
   assert.match(
     await textOf(page.locator(".sentence")),
@@ -259,7 +259,7 @@ test("a program that was refused was not shown: its text is, with the reason, al
   );
   assert.match(
     await textOf(page.locator(".note")),
-    /^This program is shown as text; no job is made of it\. /,
+    /^This program is shown as text without a job\. /,
   );
   await page.getByRole("button", { name: "Back to the job" }).click();
   assert.equal(await program(), before);

@@ -18,9 +18,7 @@ function sign(row: Row, own: boolean): { mark: string; word: string } {
   if (row.holds === null)
     return {
       mark: "–",
-      word: own
-        ? w("the native cycle does it")
-        : w("this control cannot"),
+      word: own ? w("the native cycle does it") : w("this control cannot"),
     };
   return row.holds
     ? { mark: "✓", word: w("holds") }

@@ -103,7 +103,9 @@ export class Export {
     const link = new URL(fragment, location.href).href;
     if (await copy(link))
       this.page.tell([
-        w("Link copied. The link itself contains the job: no server stores it."),
+        w(
+          "Link copied. The link itself contains the job: no server stores it.",
+        ),
       ]);
     else this.page.show(link);
   }
