@@ -199,7 +199,7 @@ test("a name that is taken for a while took the datum with it", () => {
   });
   store.bringFeature(1);
   rename(store, "A");
-  assert.match(store.withheld, /both called A/);
+  assert.match(store.withheld, /have the same name, A/);
   rename(store, "C");
   assert.deepEqual(names(store), ["A", "C"]);
   assert.deepEqual(store.job.datum, { x: "A.center.x", y: "A.center.y" });

@@ -236,7 +236,7 @@ test("two circles with an extrusion come back byte for byte from the program tha
     Object.fromEntries(
       fields.map((/** @type {any} */ field) => [
         field.key,
-        store.begins(field) ?? null,
+        store.initialValue(field) ?? null,
       ]),
     ),
   );

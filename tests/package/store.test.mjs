@@ -63,7 +63,7 @@ test("the repeatability of a good probe was 20 % larger after inch and back", ()
   other.setUnits("inch");
   const shown = other.get("stylus.repeatability");
   assert.equal(shown, 0.00003937);
-  assert.equal(other.standIn(other.fieldAt("stylus.repeatability")), shown);
+  assert.equal(other.defaultValue(other.fieldAt("stylus.repeatability")), shown);
 });
 
 test("what nobody has touched begins with numbers of its units; what was typed, or came with a job, is converted", () => {
@@ -172,7 +172,7 @@ test("a text that is no job changes nothing", () => {
     assert.throws(() => store.open(read(text)), /./);
     assert.deepEqual(store.draft, before);
   }
-  assert.throws(() => store.open(read(moves)), /says no job/);
+  assert.throws(() => store.open(read(moves)), /contains no job/);
 });
 
 test("a program for any control is opened as the job that made it", () => {
