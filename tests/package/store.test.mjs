@@ -63,7 +63,10 @@ test("the repeatability of a good probe was 20 % larger after inch and back", ()
   other.setUnits("inch");
   const shown = other.get("stylus.repeatability");
   assert.equal(shown, 0.00003937);
-  assert.equal(other.defaultValue(other.fieldAt("stylus.repeatability")), shown);
+  assert.equal(
+    other.defaultValue(other.fieldAt("stylus.repeatability")),
+    shown,
+  );
 });
 
 test("what nobody has touched begins with numbers of its units; what was typed, or came with a job, is converted", () => {

@@ -109,7 +109,11 @@ test("the setup sheet says what must be so before the start, and promises no rep
     assert.ok(
       wanted.some((line) => /probe in the spindle and switched on/i.test(line)),
     );
-    assert.equal(/expected to report/.test(await textOf(sheet)), reports, post);
+    assert.equal(
+      /Expected and reported values/.test(await textOf(sheet)),
+      reports,
+      post,
+    );
     assert.match(await textOf(sheet), /Work feed\s*150 mm\/min/);
     await page.keyboard.press("Escape");
     await sheet.waitFor({ state: "detached" });

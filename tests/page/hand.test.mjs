@@ -211,7 +211,7 @@ test("a key that no job has could only be got rid of by Reset", async () => {
   assert.match(await program(), /G38\.2/);
   await page.keyboard.press("Control+z");
   await page
-    .getByText(/knows? .*origin|colour/)
+    .getByText(/keys are .*origin|colour/)
     .first()
     .waitFor();
 });
