@@ -481,7 +481,8 @@ fn heidenhains_cycles_stop_as_q309_says() {
         panic!("it writes a bad size")
     };
     assert!(
-        goes_on.starts_with("On this part a result is implausible, and the program does not check it"),
+        goes_on
+            .starts_with("On this part a result is implausible, and the program does not check it"),
         "{goes_on}"
     );
 }
