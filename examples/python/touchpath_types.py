@@ -565,7 +565,7 @@ FindingCode: TypeAlias = Literal["align-needs-confirm", "angle-rounded", "approa
 Imported: TypeAlias = dict[str, Any]
 
 
-# What a tolerance or a limit makes of a value.
+# Verdict of a tolerance or limit on a value.
 Judged: TypeAlias = Literal["good", "rework", "scrap", "undefined", "implausible", "good within ±", "out", "out within ±"]
 
 
@@ -597,5 +597,5 @@ RuleName: TypeAlias = Literal["modes-stated", "spindle-off", "probe-asked", "pro
 TraceKind: TypeAlias = Literal["rapid", "feed", "watched", "touch", "unchecked"]
 
 
-# The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then.
+# The verdict of a value, or of the whole workpiece (`Q183`), with the reaction of the control.
 Verdict: TypeAlias = Judged | str

@@ -42,12 +42,12 @@ pub const OTHERS: [(&str, &str); 8] = [
     ("NO_DATA", words!("something that is not data")),
     ("UNREADABLE", words!("something unreadable")),
     ("TOO_DEEP", words!("something nested too deeply")),
-    ("TOO_MANY", words!("more than a job can hold")),
-    ("TOO_MUCH_TEXT", words!("more text than a job can hold")),
-    ("TOO_LONG", words!("a list longer than a job can hold")),
+    ("TOO_MANY", words!("more values than in any job")),
+    ("TOO_MUCH_TEXT", words!("more text than in any job")),
+    ("TOO_LONG", words!("a list that is longer than in any job")),
     (
         "TOO_MANY_KEYS",
-        words!("an object with more keys than a job can hold"),
+        words!("an object with more keys than any job"),
     ),
 ];
 

@@ -377,7 +377,7 @@ fn judge_space(config: &Config, planned: &PlannedJob, checker: &mut Checker) {
         let (number, limit) = (found.index + 1, checker.length(found.limit));
         let message = if found.search {
             text!(
-                "The search in move {number} goes to {axis} {place}, beyond the travel, which ends at {limit}",
+                "The search in move {number} reaches {axis} {place}, beyond the travel limit {limit}",
                 number,
                 axis,
                 at,
@@ -385,7 +385,7 @@ fn judge_space(config: &Config, planned: &PlannedJob, checker: &mut Checker) {
             )
         } else {
             text!(
-                "Move {number} takes the ball centre to {axis} {place}, beyond the travel, which ends at {limit}",
+                "Move {number} moves the ball centre to {axis} {place}, beyond the travel limit {limit}",
                 number,
                 axis,
                 at,

@@ -54,14 +54,14 @@ pub(super) static BROTHER: PostDef = PostDef {
 pub(super) static HURCO: PostDef = PostDef {
     key: "hurco",
     title: "Hurco WinMax (ISNC)",
-    about: "calls of Renishaw's macros P98xx; the control switches the probe by itself. Not verified on a control.",
+    about: "calls of Renishaw's macros P98xx; the control switches the probe automatically. Not verified on a control.",
     extension: "hnc",
     work_offsets: offsets::STANDARD,
     supports: |subject, form| match (subject, form) {
         (FeatureKind::Switch, ProgramForm::Cycle) => Err(words!(
-            "the control switches the probe by itself at the tool change"
+            "the control switches the probe automatically at the tool change"
         )),
-        _ => serves(subject, form),
+        _ => supports(subject, form),
     },
     emit: |request| post::emit(request, &HURCO_CALLS),
     own: Some(&HURCO_OWN),
@@ -99,7 +99,7 @@ const CALLER: PostDef = PostDef {
     dialect: &DIALECT,
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| request.feeds.rate(step.feed),
-    supports: serves,
+    supports,
     check: |request, checker| checked(request, &CALLS, checker),
     own: Some(&OWN),
     offset_has_rotation: false,
@@ -147,7 +147,7 @@ static OKUMA_OWN: NativeCycles = NativeCycles {
     })
 };
 
-fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
+fn supports(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
         (_, ProgramForm::Moves) => Err(words!(
             "no source documents how the control answers a program that reads modes, tool length and contacts"

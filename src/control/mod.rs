@@ -254,7 +254,7 @@ pub const BASE: PostDef = PostDef {
     manual_offset_block: None,
 };
 
-/// See [`PostDef::typed_write`].
+/// See [`PostDef::manual_offset_block`].
 pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 
 /// Reads a program. Lists every line that is not understood.

@@ -97,8 +97,8 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     }
     let (read, notes) = read(text)?;
     // Blocks without units are in those of the header.
-    let unsaid = notes.iter().any(|f| f.code == "units-unknown");
-    let units = if unsaid {
+    let no_units = notes.iter().any(|f| f.code == "units-unknown");
+    let units = if no_units {
         Units::of(&job)
     } else {
         Units::of(&read)
@@ -159,7 +159,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
 /// The job of a program's blocks, with findings.
 fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let blocks = blocks(text);
-    let units = if says_inch(&blocks) {
+    let units = if is_inch(&blocks) {
         Units::Inch
     } else {
         Units::Mm
@@ -172,15 +172,15 @@ fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         checker: Checker::default(),
         extrusion: Value::Null,
         found: 0,
-        passed_over: 0,
-        plane_said: false,
+        ignored: 0,
+        has_plane: false,
         transformed: Vec::new(),
         moves: None,
         spins: None,
     };
     blocks.iter().for_each(|block| reader.block(block));
     let (mut job, findings) = reader.finish(&blocks)?;
-    if !says_name(&blocks) {
+    if !has_name(&blocks) {
         let name = job_name(&job);
         set(&mut job, "name", Value::Text(name));
     }
@@ -188,7 +188,7 @@ fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
 }
 
 /// Whether the text gives the name of its program.
-fn says_name(blocks: &[String]) -> bool {
+fn has_name(blocks: &[String]) -> bool {
     let begins = |block: &String| {
         block.to_ascii_uppercase().starts_with("BEGIN PGM") && block.split_whitespace().count() > 3
     };
@@ -196,7 +196,7 @@ fn says_name(blocks: &[String]) -> bool {
 }
 
 /// Whether the text is in inch.
-fn says_inch(blocks: &[String]) -> bool {
+fn is_inch(blocks: &[String]) -> bool {
     let begins = |block: &String| {
         let upper = block.to_ascii_uppercase();
         upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
@@ -212,9 +212,9 @@ struct Reader {
     extrusion: Value,
     /// Number of cycles 1411.
     found: usize,
-    passed_over: usize,
-    /// Whether a block gives the plane.
-    plane_said: bool,
+    ignored: usize,
+    /// Whether a block states the plane.
+    has_plane: bool,
     /// Shifts, rotations, mirrors and scales before the cycle.
     transformed: Vec<&'static str>,
     /// First block before the cycle that moves, and first that switches the spindle on.
@@ -245,7 +245,7 @@ impl Reader {
             }
             ["END", "PGM", ..] | [] => {}
             // A tool called after the cycle is not the probe.
-            ["TOOL", "CALL", ..] if self.found > 0 => self.passed_over += 1,
+            ["TOOL", "CALL", ..] if self.found > 0 => self.ignored += 1,
             ["TOOL", "CALL", rest @ ..] => self.tool_call(rest),
             ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => self.two_circles(block),
             ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => self.extrusion(block),
@@ -261,7 +261,7 @@ impl Reader {
                     self.transformed.retain(|known| *known != what);
                     self.transformed.extend(is.then_some(what));
                 }
-                self.passed_over += 1;
+                self.ignored += 1;
             }
         }
     }
@@ -302,7 +302,7 @@ impl Reader {
         });
         if let Some(plane) = plane {
             self.set("plane", plane);
-            self.plane_said = true;
+            self.has_plane = true;
         }
     }
 
@@ -342,7 +342,7 @@ impl Reader {
             match (*word, word.strip_prefix('T').map(str::parse::<i32>)) {
                 ("G17" | "G18" | "G19", _) => {
                     self.set("plane", word);
-                    self.plane_said = true;
+                    self.has_plane = true;
                 }
                 (_, Some(Ok(0))) => {}
                 (_, Some(Ok(tool))) => set(
@@ -362,8 +362,8 @@ impl Reader {
             mut checker,
             extrusion,
             found,
-            passed_over,
-            plane_said,
+            ignored,
+            has_plane,
             transformed,
             moves,
             spins,
@@ -382,7 +382,7 @@ impl Reader {
         }
         if found == 0 {
             let message = text!(
-                "This text gives no job: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with cycle 1411, nor one that was written here"
+                "This text gives no job: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with cycle 1411, nor one written by Touchpath"
             );
             checker.error("nothing-to-import", "", message);
             return Err(JobError {
@@ -391,11 +391,11 @@ impl Reader {
         }
         set(&mut job, "cycle.extrusion", extrusion);
         raise_start(&mut job);
-        if passed_over > 0 {
-            let message = if passed_over == 1 {
+        if ignored > 0 {
+            let message = if ignored == 1 {
                 text!("1 other block was ignored")
             } else {
-                text!("{count} other blocks were ignored", passed_over)
+                text!("{count} other blocks were ignored", ignored)
             };
             checker.info("passed-over", "", message);
         }
@@ -416,7 +416,7 @@ impl Reader {
                 ),
             );
         }
-        if !plane_said {
+        if !has_plane {
             checker.info(
                 "not-in-program",
                 "plane",
@@ -466,7 +466,7 @@ fn raise_start(job: &mut Value) {
     let Some(Value::List(start)) = cycle.get("start") else {
         return;
     };
-    let Some(stands) = number(start.get(axis)) else {
+    let Some(height_of_start) = number(start.get(axis)) else {
         return;
     };
     let needed = match cycle.get("clearanceHeightPredef") {
@@ -474,11 +474,11 @@ fn raise_start(job: &mut Value) {
         Some(Value::Flag(true)) => ["point1", "point2"]
             .iter()
             .filter_map(|p| height(cycle.get(p)))
-            .map(|w| w + stands)
-            .fold(stands, f64::max),
-        _ => number(cycle.get("clearanceHeight")).unwrap_or(stands),
+            .map(|w| w + height_of_start)
+            .fold(height_of_start, f64::max),
+        _ => number(cycle.get("clearanceHeight")).unwrap_or(height_of_start),
     };
-    if needed > stands {
+    if needed > height_of_start {
         let mut start = start.clone();
         start[axis] = Value::Number(needed);
         set(job, "cycle.start", Value::List(start));

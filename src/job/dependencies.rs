@@ -358,7 +358,7 @@ fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
     };
     match known {
         [] => nothing,
-        known => text!("{nothing}. There are {known}", nothing, known.join(", ")),
+        known => text!("{nothing}. Available: {known}", nothing, known.join(", ")),
     }
 }
 

@@ -222,7 +222,7 @@ mod tests {
                 ("vector".to_owned(), point),
             ])
         };
-        let cut = || Value::Other("more than a job can hold");
+        let cut = || Value::Other("more values than in any job");
         let touches = vec![
             touch(Value::List(vec![cut(), cut(), cut()])),
             touch(cut()),

@@ -672,7 +672,7 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
     }
 }
 
-/// The plan of a job with its path, and without the table, which [`Planned::table`] makes when it is read.
+/// The plan of a job with its path, and without the table, which [`PlannedJob::table`] makes when it is read.
 pub fn plan_with_path(value: &Value) -> Result<(PlannedJob, Plan), JobError> {
     let mut checker = Checker::default();
     let Some(planned) = read(&mut checker, value) else {

@@ -12,7 +12,7 @@ use crate::text::{Text, text};
 
 /// Possible operands: the cycles and relations known so far, in the joined formula.
 #[derive(Debug)]
-struct Known<'a> {
+struct Operands<'a> {
     formula: &'a Formula,
     measuring: Vec<ResultSource<'a>>,
     /// Whether the job has one cycle, whose name may be left out.
@@ -87,7 +87,7 @@ impl<'v> Relations<'v> {
         }
     }
 
-    /// Adds all remaining relations and reports their faults.
+    /// Adds all remaining relations and reports their errors.
     pub fn add_all(&mut self, checker: &mut Checker, path: &mut Path) {
         for index in 0..self.list.len() {
             self.add(checker, path, index);
@@ -156,7 +156,7 @@ impl<'v> Relations<'v> {
         index: usize,
     ) -> Option<(String, formula::RelationTerm)> {
         let measuring = path.measuring_before(index).collect();
-        let known = Known {
+        let known = Operands {
             formula: &path.formula,
             measuring,
             alone: self.cycles.len() == 1,
@@ -182,12 +182,12 @@ fn named(list: &[Value], name: &str) -> Option<usize> {
     list.iter().position(|other| matches!(other.get("name"), Some(Value::Text(own)) if own.eq_ignore_ascii_case(name)))
 }
 
-/// Reads a relation: name, kind and operands. Reports its faults.
+/// Reads a relation: name, kind and operands. Reports its errors.
 fn read_one(
     checker: &mut Checker,
     (list, i): (&[Value], usize),
     cycles: &[String],
-    known: &Known<'_>,
+    known: &Operands<'_>,
 ) -> Option<(String, formula::RelationTerm)> {
     let given = &list[i];
     let Value::Map(entries) = given else {
@@ -324,7 +324,7 @@ fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation>
 fn read_of(
     checker: &mut Checker,
     given: &Value,
-    known: &Known<'_>,
+    known: &Operands<'_>,
     (i, relation): (usize, Relation),
 ) -> Option<Vec<Operand>> {
     let at = format!("{RELATIONS}[{i}].of");
@@ -375,7 +375,7 @@ fn read_of(
 /// One operand of a relation and its name, or the code and text of its error.
 fn read_operand(
     given: &Value,
-    known: &Known<'_>,
+    known: &Operands<'_>,
     places: bool,
     at: &str,
 ) -> Result<(Operand, String), (&'static str, Text)> {
@@ -400,7 +400,7 @@ fn read_operand(
                 known.places().join(", ")
             ),
             false => text!(
-                "There is no measured result \"{name}\". There are {known}",
+                "There is no measured result \"{name}\". Available: {known}",
                 printable(name),
                 known.results().join(", ")
             ),
@@ -436,7 +436,7 @@ fn check_kinds(
     good
 }
 
-impl Known<'_> {
+impl Operands<'_> {
     /// The position that a cycle or an earlier relation measures in the plane.
     fn place(&self, name: &str) -> Option<Operand> {
         let own = self

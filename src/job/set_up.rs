@@ -581,7 +581,7 @@ fn check_clear(checker: &mut Checker, clear: f64, least: f64) -> bool {
     let low = clear.is_finite() && clear < least - 1e-6;
     if low {
         let message = text!(
-            "Between the cycles the ball centre goes across at {clear}: it must be no lower than {least}, where the highest of them begins and ends",
+            "Between the cycles the ball centre moves across at {clear}: it must be at least {least}, the highest start or end of a cycle",
             checker.length(clear),
             checker.length(least)
         );

@@ -12,12 +12,12 @@ pub enum FeatureKind {
     Action,
     /// A point of a surface.
     Surface,
-    /// A hole from its middle.
+    /// A hole, touched from its centre.
     Hole,
     /// A hole; the stylus enters from above for each touch.
     HoleProtected,
     Boss,
-    /// A rectangle from its middle.
+    /// A rectangle, touched from its centre.
     Pocket,
     /// A rectangle from inside; the stylus enters from above for each touch.
     PocketProtected,
@@ -62,7 +62,7 @@ pub enum Feature {
     TwoCircles(Box<TwoCircles>),
     /// A wall, touched twice.
     Wall(WallFeature),
-    /// The features of a set-up, in [`crate::path::Path::members`].
+    /// The features of a set-up, in [`crate::path::Path::cycles`].
     Several,
 }
 
@@ -99,7 +99,7 @@ pub struct Bore {
     pub diameter: FieldValue,
     /// From the top side down to the touches.
     pub depth: FieldValue,
-    /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
+    /// From the wall to the ball centre where a touch begins; `None` if touches begin at the centre.
     pub clearance: Option<FieldValue>,
     /// Height above the top side at which the ball crosses the feature; `None` if it does not cross.
     pub crossing: Option<FieldValue>,
@@ -122,7 +122,7 @@ pub struct Pairs {
 pub struct Side {
     /// From wall to wall.
     pub width: FieldValue,
-    /// From the wall to the ball centre where a touch begins; `None` if touches begin in the middle.
+    /// From the wall to the ball centre where a touch begins; `None` if touches begin at the centre.
     pub clearance: Option<FieldValue>,
 }
 
@@ -161,7 +161,7 @@ pub struct Top {
     pub inwards: [&'static str; 2],
 }
 
-/// Two holes or studs, with the settings of the control's own cycle for them.
+/// Two holes or studs, with the settings of the native cycle for them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TwoCircles {
     /// Fields with the two diameters.

@@ -71,7 +71,7 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     layout
         .names(legend.names)
         .iter()
-        .for_each(|(_, name, plate)| drawing.said(plate, name));
+        .for_each(|(_, name, plate)| drawing.label(plate, name));
     drawing.text.push_str("</svg>\n");
     drawing.text
 }
@@ -118,7 +118,7 @@ impl Drawing {
         }
     }
 
-    /// A name and its position.
+    /// Layout of the dimensions and angles that have a name.
     fn layout<'a>(&self, scene: &'a Scene, legend: &Legend<'_>) -> Layout<'a> {
         let mut layout = self.camera.layout(scene, None);
         let named = |own: &str| legend.names.iter().any(|(field, _)| *field == own);
@@ -215,7 +215,7 @@ impl Drawing {
         );
     }
 
-    /// Moves and touches hidden by something, or those that nothing hides.
+    /// Moves and touches behind an item, or those in front of all items.
     fn path(&mut self, scene: &Scene, deviates: bool, behind: Option<usize>) {
         scene
             .lines
@@ -248,7 +248,7 @@ impl Drawing {
         self.draw(&path(&lines, ""), &format!("fill=\"none\" {stroke}{dash}"));
     }
 
-    /// Walls in one; with `solid` faces, else they let a section's hatching show through.
+    /// Walls in one path. Solid faces hide what is behind them; otherwise a section's hatching shows through.
     fn walls(
         &mut self,
         Walls {
@@ -389,7 +389,7 @@ impl Drawing {
     }
 
     /// Text of a dimension or an angle.
-    fn said(&mut self, plate: &LabelBox, name: &str) {
+    fn label(&mut self, plate: &LabelBox, name: &str) {
         let [x, y] = numbers(plate.middle);
         let [label, value] = <[&str; 2]>::from(super::halves(name)).map(escaped);
         let turn = decimal(plate.along.to_angle().to_degrees(), 2);

@@ -1,11 +1,11 @@
-//! Random programs of the codes that LinuxCNC's interpreter and the reader of moves both know, compared line by line: what each line moves, to
-//! where, and in which plane and sense an arc runs.
+//! Random programs of the codes that LinuxCNC's interpreter and the reader of moves both know, compared line by line: the moves of each line,
+//! their ends, and the plane and sense of arcs.
 
 use crate::common::canonical;
 use touchpath::import::read_program;
 use touchpath::import::toolpath::KINDS;
 
-/// A move of either reader: the number of its line, what it is, and where it ends.
+/// A move of either reader: its line number, kind and end.
 #[derive(Debug, PartialEq)]
 struct Found {
     line: usize,
@@ -13,7 +13,7 @@ struct Found {
     to: [f64; 3],
 }
 
-/// Chance with a seed: the same programs every time.
+/// Random numbers with a fixed seed: the same programs every time.
 struct Chance(u64);
 
 impl Chance {
@@ -30,7 +30,7 @@ impl Chance {
     }
 }
 
-/// What the words of the next line depend on.
+/// Modes that the words of the next line depend on.
 #[derive(Clone, Copy)]
 struct Modes {
     inch: bool,
@@ -38,7 +38,7 @@ struct Modes {
     plane: usize,
 }
 
-/// Writes a program. Places are eighths of a millimetre.
+/// Writes a program. Positions are in eighths of a millimetre.
 struct Writer {
     chance: Chance,
     text: String,
@@ -53,7 +53,7 @@ struct Writer {
 const AXES: [&str; 3] = ["X", "Y", "Z"];
 
 impl Writer {
-    /// A line with its number, in one of the ways that mean the same.
+    /// A line with its number, in one of several equivalent spellings.
     fn line(&mut self, words: &str) {
         let number = self.inch.len() + 1;
         self.inch.push(self.modes.inch);
@@ -79,7 +79,7 @@ impl Writer {
         }
     }
 
-    /// The words of a place: of all axes, or of those that `named` says.
+    /// Words of a position, for the axes in `named`.
     fn place(&self, target: [i64; 3], named: [bool; 3]) -> String {
         let value = |axis: usize| {
             if self.modes.absolute {
@@ -108,7 +108,7 @@ impl Writer {
     fn straight(&mut self) {
         let (target, named) = self.target();
         let words = self.place(target, named);
-        // The motion in force needs no word.
+        // The active motion needs no word.
         let word = if self.chance.below(2) == 0 {
             self.chance.one(&["G0", "G1", "G01", "G00"])
         } else {
@@ -130,7 +130,7 @@ impl Writer {
         self.place = target;
     }
 
-    /// Where the interpreter takes the ball to be after a probing move is its own: what follows names all axes as places.
+    /// The interpreter has its own position after a probing move, so the next moves state all axes absolutely.
     fn touches(&mut self) {
         if !self.modes.absolute {
             self.modes.absolute = true;
@@ -140,7 +140,7 @@ impl Writer {
         for i in 0..=self.chance.below(3) {
             let (target, _) = self.target();
             let words = self.place(target, [true; 3]);
-            // The second touch needs no word, either.
+            // The second touch needs no word either.
             let feed = 40 + self.chance.below(90);
             self.line(&if i == 0 {
                 format!("{code}{words} F{feed}")
@@ -183,7 +183,7 @@ impl Writer {
                     self.value(middle[1])
                 )
             }
-            // Its centre as a place.
+            // With an absolute centre.
             1 => {
                 (target[a], target[o]) = (target[a] + 2 * middle[0], target[o] + 2 * middle[1]);
                 let place = self.place(target, [true; 3]);
@@ -228,7 +228,7 @@ impl Writer {
                 let Some(kept) = self.kept else { return };
                 self.line("M72");
                 self.modes = kept;
-                // Its feed may be none.
+                // It may restore a missing feed.
                 return self.line("F120");
             }
             5 => {
@@ -323,7 +323,7 @@ fn program(seed: u64) -> (String, Vec<bool>) {
     (writer.text, writer.inch)
 }
 
-/// What the interpreter moves, in mm.
+/// Moves of the interpreter, in mm.
 fn interpreted(calls: &[String], inch: &[bool]) -> Vec<Found> {
     let mut plane = [0, 1, 2];
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! Native calls as rows: what a call says is read as it was written, and a foreign call with the words that it has.
+//! Native calls as rows: a generated call is read back unchanged, and foreign calls are read with their additional words.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::common::{Draws, number, point as list, with};
 use touchpath::form::Value;
 use touchpath::job::plan;
 
-/// A random job of a feature that native cycles take: any place, size and side, with a work offset or without.
+/// A random job of a feature that native cycles support: any position, size and side, with or without a work offset.
 fn drawn(draws: &mut Draws, cycle: &'static str, post: &str) -> Value {
     let mut length = |low: f64, high: f64| number((draws.of(low, high) * 1000.0).round() / 1000.0);
     let origin = vec![
@@ -49,7 +49,7 @@ fn drawn(draws: &mut Draws, cycle: &'static str, post: &str) -> Value {
     own(cycle, post, &changes)
 }
 
-/// The arguments of the measuring cycles of a program: number, and the values by their places.
+/// Measuring cycles of a program: number, and values by position.
 fn measuring_calls(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
     let calls = text
         .lines()
@@ -65,7 +65,7 @@ fn measuring_calls(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
         .collect()
 }
 
-/// The measuring macros of a program: number, and the values by their letters.
+/// Measuring macros of a program: number, and values by letter.
 fn macro_calls(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
     let calls = text
         .lines()
@@ -82,8 +82,8 @@ fn macro_calls(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
         .collect()
 }
 
-/// The words of a call, read back as a job, are those of its program: for any feature at any position. What the words say of limits and of the log is
-/// no feature's.
+/// A call that is read back as a job gives a program with the same words, for any feature at any position. Words for limits and the log are
+/// not compared.
 #[test]
 fn the_words_of_random_calls_are_read_as_they_were_written() {
     use touchpath::import::toolpath::{RunInputs, run_program};
@@ -100,7 +100,7 @@ fn the_words_of_random_calls_are_read_as_they_were_written() {
         "surface",
     ];
     type Calls = fn(&str) -> Vec<(u32, Vec<(u32, f64)>)>;
-    // What a kind of call is told by, what limits make of it, and how many kinds there are.
+    // Word that distinguishes kinds of calls, words of limits, and number of kinds.
     let of_limits: &[u32] = &[
         275, 276, 277, 278, 279, 280, 281, 284, 285, 286, 287, 288, 289, 309,
     ];
@@ -116,7 +116,7 @@ fn the_words_of_random_calls_are_read_as_they_were_written() {
             let cycle = kinds[round % kinds.len()];
             let job = drawn(&mut draws, cycle, post);
             let Ok(first) = plan(&job) else { continue };
-            // Calls and the moves to them: what asks the probe leaves the way open.
+            // Calls and the moves to them, without checks of the probe, whose branches would stay open.
             let code = first.program.text.lines().filter_map(|line| match post {
                 "heidenhain" => Some(line).filter(|line| !line.contains(" ; ")),
                 _ => line.strip_prefix("MEAS=1 ").or_else(|| {
@@ -186,7 +186,7 @@ fn the_words_of_random_calls_are_read_as_they_were_written() {
     }
 }
 
-/// Words that our programs never give a call, in someone else's: a job that does not do what they say is none.
+/// Foreign calls with words that our programs never write. A call that no job can reproduce makes no job.
 #[test]
 fn a_foreign_call_is_read_with_the_words_that_it_has() {
     use touchpath::import::toolpath::{RunInputs, run_program};
@@ -203,7 +203,7 @@ fn a_foreign_call_is_read_with_the_words_that_it_has() {
     let job_of = |text: &str| run(text).calls.iter().find_map(|call| call.job.clone());
     let klartext = |cycle: &str| format!("BEGIN PGM A MM\nTCH PROBE {cycle}\nEND PGM A MM\n");
     let siemens = |call: &str| format!("G71 G90\nG0 X40 Y3 Z-5\n{call}\n");
-    // Three touches a sixth of a turn apart: a job of 421 has four.
+    // Three touches 60° apart: a job of 421 has four.
     let hole = "421 Q273=+0 Q274=+0 Q262=+40 Q325=+0 Q261=-5 Q320=+4 Q260=+20 Q301=+0";
     assert_eq!(job_of(&klartext(&format!("{hole} Q247=+60 Q423=+3"))), None);
     assert!(job_of(&klartext(&format!("{hole} Q247=+90 Q423=+4"))).is_some());
@@ -217,14 +217,14 @@ fn a_foreign_call_is_read_with_the_words_that_it_has() {
         arcs(&klartext(&format!("{hole} Q247=+90 Q423=+4 Q365=+1"))),
         3
     );
-    // An arc of many turns is no way between two touches.
+    // An arc of many turns is no link move between two touches.
     assert_eq!(
         arcs(&klartext(&format!(
             "{hole} Q247=+1000000000 Q423=+4 Q365=+1"
         ))),
         0
     );
-    // 425 that lifts between the walls goes over an island: no program here does that without writing.
+    // 425 with a retract between the walls moves over an island: no generated program does that without writing.
     let slot = "425 Q328=+0 Q329=+0 Q310=+0 Q272=+1 Q261=-5 Q260=+20 Q311=+60";
     assert!(job_of(&klartext(slot)).is_some());
     assert_eq!(job_of(&klartext(&format!("{slot} Q320=+4 Q301=+1"))), None);
@@ -246,7 +246,7 @@ fn a_foreign_call_is_read_with_the_words_that_it_has() {
         job_of(&bore("11,10,15")).and_then(origin),
         Some(list([10.0, 15.0, 5.0]))
     );
-    // Without its variant a CYCLE978 is run, and is no job.
+    // CYCLE978 without its variant is run, but makes no job.
     let wall = siemens("CYCLE978(,,,1,10,5,5,1,2,1,,,0)");
     assert_eq!(job_of(&wall), None);
     assert!(run(&wall).len() > 2, "{:?}", run(&wall).kind);

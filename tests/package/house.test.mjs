@@ -44,13 +44,13 @@ test("files of the page make no circles, types included", () => {
  * old ones lowers the number.
  */
 const WORST = [
-  { word: /\bstands?\b/g, better: "is, has, contains", most: 20 },
+  { word: /\bstands?\b/g, better: "is, has, contains", most: 9 },
   { word: /\bwhoever\b/gi, better: "the caller, the reader", most: 0 },
   { word: /\bwherever\b/gi, better: "everywhere", most: 0 },
-  { word: /\bis of\b/g, better: "belongs to", most: 22 },
-  { word: /\bis that of\b/g, better: "equals", most: 58 },
-  { word: /\bas far as\b/g, better: "up to, if", most: 20 },
-  { word: /\bby itself\b/g, better: "automatically", most: 16 },
+  { word: /\bis of\b/g, better: "belongs to", most: 8 },
+  { word: /\bis that of\b/g, better: "equals", most: 52 },
+  { word: /\bas far as\b/g, better: "up to, if", most: 11 },
+  { word: /\bby itself\b/g, better: "automatically", most: 11 },
   { word: /\bnone where\b/gi, better: "`None` if", most: 0 },
 ];
 

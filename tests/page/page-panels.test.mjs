@@ -171,7 +171,7 @@ test("measured points give the same results, and bad ones a plain answer", async
   await box.fill("37.1,0\n");
   assert.match(
     (await page.locator("details.measured").textContent()) ?? "",
-    /Line 1 holds 2 numbers/,
+    /Line 1 has 2 numbers/,
   );
   await page.getByRole("button", { name: "Fill in the points shown" }).click();
   assert.match((await own("width1")) ?? "", /80\.000/);
@@ -283,7 +283,9 @@ test("this job on every control: what each makes of it, and the way there", asyn
   );
   assert.deepEqual(shown, wanted);
   await rows
-    .getByRole("button", { name: "Choose SINUMERIK 840D sl / 828D, own cycle" })
+    .getByRole("button", {
+      name: "Choose SINUMERIK 840D sl / 828D, native cycle",
+    })
     .click();
   assert.deepEqual(
     [await held("control.post"), await held("control.form")],

@@ -153,7 +153,7 @@ test("each cycle and each control has its page, one click away from where it is 
     .getByRole("button", { name: "About this cycle" })
     .click();
   await page7.getByRole("heading", { name: "Hole", exact: true }).waitFor();
-  assert.match(await textOf(page7), /touched from its middle/);
+  assert.match(await textOf(page7), /touched from the centre/);
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Gallery" }).click();
   await page.getByRole("button", { name: "About Boss" }).click();

@@ -20,7 +20,7 @@ export interface PickedTouch {
   vector: Vec3;
 }
 
-/** A code of the user's own: it goes through as it is. */
+/** A code of the user, passed on unchanged. */
 export interface CustomCode {
   code: number;
   type: "Int" | "Flt" | "Bol";
@@ -30,7 +30,7 @@ export interface CustomCode {
 /** A step of a frame. */
 export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" };
 
-/** What several cycles have as `properties`. */
+/** Fields that several cycles have as `properties`. */
 export interface Properties {
   /** 0 global, 1 one work offset, 2 parametrical (G10), 3 local (G52). `null`: not set. Code CmdPrm.Int[-10]. */
   wcsMode?: number | null;
@@ -66,7 +66,7 @@ export interface Properties {
   reportFeature?: number | null;
 }
 
-/** What several cycles have as `repeat`. */
+/** Fields that several cycles have as `repeat`. */
 export interface Repeat {
   /** Number of touches of each point. The result uses their mean. */
   times?: number;
@@ -101,7 +101,7 @@ export interface InternalRectangleProtected {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -133,7 +133,7 @@ export interface DoubleWallInternalCorner {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -219,7 +219,7 @@ export interface Surface {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -267,7 +267,7 @@ export interface Hole {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -303,7 +303,7 @@ export interface HoleProtected {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -339,7 +339,7 @@ export interface Boss {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -365,7 +365,7 @@ export interface InternalRectangle {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -397,7 +397,7 @@ export interface ExternalRectangle {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -425,7 +425,7 @@ export interface Web {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -453,7 +453,7 @@ export interface WebThreePoints {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -477,7 +477,7 @@ export interface Groove {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -505,7 +505,7 @@ export interface GrooveProtected {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -543,7 +543,7 @@ export interface DoubleWallExternalCorner {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -569,7 +569,7 @@ export interface TripleWallInternalCorner {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -605,7 +605,7 @@ export interface TripleWallExternalCorner {
   subCode?: number;
   properties?: Properties | null;
   repeat?: Repeat | null;
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
 }
@@ -648,7 +648,7 @@ export type Cycle =
   | ProbeOnOff
   | NcAction;
 
-/** A probing job. What is left out takes the catalog's default. */
+/** A probing job. Omitted values have the catalog's defaults. */
 export interface Job {
   format: 1;
   /** Name of the program. */
@@ -740,10 +740,10 @@ export interface Job {
     sd42940?: number;
     /** SD42950 $SC_TOOL_LENGTH_TYPE: whether lengths act as for milling or as for turning. */
     sd42950?: 0 | 1 | 2;
-    /** The active frame's steps, in order. */
+    /** Steps of the active frame, in order. */
     frame?: FrameStep[];
   };
-  /** The block that the features are cut into, parallel to the axes; `null`: not known, and not checked. */
+  /** The block that the features are cut into, parallel to the axes; `null`: unknown and not checked. */
   stock?: {
     /** Corner of the block with the smallest X, Y and Z. */
     origin?: Vec3;
@@ -755,7 +755,7 @@ export interface Job {
     offset?: Vec3;
     /** How far the part is turned about the tool axis through the work origin, before the shift. */
     rotation?: number;
-    /** By how much a size of the part differs, by the field's key. */
+    /** Deviation of each size of the part, by the field's key. */
     sizes?: Record<string, number>;
   };
   /** The tolerance of each result, by its code: `diameter`, in a set-up `BORE.diameter`. */
@@ -763,34 +763,34 @@ export interface Job {
   cycle: Cycle;
 }
 
-/** The tolerance of a result, and what follows from a value out of it. */
+/** The tolerance of a result, and the action when a value exceeds it. */
 export interface ResultTolerance {
   /**
-   * About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees.
+   * Relative to the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, for an angle in degrees.
    * Omit it if the size contains the tolerance.
    */
   tolerance?: string;
-  /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */
+  /** The program continues, shows the result and continues, or stops with an alarm. Default: `go`. */
   action?: "go" | "mark" | "stop";
-  /** The tool that is corrected by this size: by the macros of a Fanuc and its kin, in the form `cycle`. */
+  /** The tool that is corrected from this size, by the macros of Fanuc-type controls in the form `cycle`. */
   wear?: Wear | null;
 }
 
-/** How a macro corrects a tool by a size that it measures. */
+/** Correction of a tool by a macro, from a size that it measures. */
 export interface Wear {
   /** The number of the tool offset. */
   tool: number;
-  /** How much of the error it is corrected by, 1 to 100 percent. Left out: 100. */
+  /** Feedback percentage: share of the error to correct, 1 to 100. Default: 100. */
   percent?: number;
-  /** The error up to which nothing is corrected, in the job's units, 1 mm at most. Left out: 0. */
+  /** Dead band: error that is ignored, in the job's units, at most 1 mm. Default: 0. */
   deadBand?: number;
-  /** Of how many parts the mean of the errors counts. Left out: each part corrects the tool. */
+  /** Number of parts whose mean error is corrected. Default: each part corrects the tool. */
   parts?: number | null;
-  /** With `parts`: the first of two tool offsets, of no tool, in which the macro keeps its values. */
+  /** With `parts`: the first of two tool offsets that no tool uses, in which the macro stores its values. */
   store?: number | null;
 }
 
-/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`. */
+/** A value of a cycle in a set-up: a number, or a result of an earlier cycle plus a number, such as `=TOP.z-5` or `=SIDE.rotation+90`. */
 export type Followable = number | `=${string}`;
 
 type Following<C> = {
@@ -801,12 +801,12 @@ type Following<C> = {
       : C[K];
 };
 
-/** A cycle of a set-up. Its name, a letter and then letters and digits, prefixes its results; the default is what the cycle measures. */
+/** A cycle of a set-up. Its name, a letter and then letters and digits, prefixes its results; the default names the measured feature. */
 export type NamedCycle = Following<Cycle> & { name?: string };
 
-/** What lies between the features of a set-up. A later one may be of an earlier one. */
+/** Relations between the features of a set-up. A relation may use an earlier one. */
 export interface Relation {
-  /** Stands in front of its results, as the name of a cycle. */
+  /** Prefix of its results, like the name of a cycle. */
   name: string;
   /**
    * `line`, of two places: `distance`, `rotation`.
@@ -816,25 +816,25 @@ export interface Relation {
    * `mean`, of two results or more: `mean`, of angles `mean.angle`.
    */
   type: "line" | "center" | "pitch-circle" | "difference" | "mean";
-  /** Names of cycles and relations that measure a place in the plane, or results as `BORE.diameter`. */
+  /** Names of cycles and relations that measure a position in the plane, or results such as `BORE.diameter`. */
   of: string[];
 }
 
 /**
- * Several cycles in one program: one header, safe ways between them, one write at the end. What is left out takes the catalog's default. Sizes of the virtual
- * part are named after their cycle: `BORE.diameter`.
+ * Several cycles in one program: one header, safe link moves between them, one write at the end. Omitted values have the catalog's defaults. Sizes of the
+ * virtual part are prefixed with their cycle: `BORE.diameter`.
  */
 export interface SetUp extends Omit<Job, "format" | "cycle"> {
   format: 2;
   cycles: NamedCycle[];
-  /** Height along the tool axis at which the ball centre goes from one cycle to the next. `null`: as high as the highest cycle begins and ends. */
+  /** Clearance plane between the cycles: height of the ball centre along the tool axis. `null`: the highest start or end of a cycle. */
   clear?: number | null;
   /**
-   * Which result is written into which axis of the work offset, as `BORE.center.x`: x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle
-   * that measures the axis. `null`: not written. A rotation is written where one is named.
+   * Result written into each axis of the work offset, such as `BORE.center.x`: x is the abscissa, y the ordinate, z the tool axis. Default: the first cycle that
+   * measures the axis. `null`: not written. A rotation is only written if it is specified.
    */
   datum?: { x?: string | null; y?: string | null; z?: string | null; rotation?: string | null };
-  /** What is computed of the results of the cycles. Its results are named after it, as those of a cycle. */
+  /** Relations: results computed from results of the cycles, prefixed with the relation's name. */
   relations?: Relation[] | null;
 }
 

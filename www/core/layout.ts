@@ -1,12 +1,12 @@
 // Generated from src/border: `UPDATE=1 cargo test --lib generated` writes it. How jobs and plans cross to the module and back.
 import type { Unpacked } from "./unpacked.js";
 
-/** The most values a job may hold, how deep they may lie, and the most UTF-16 units of all its texts together. */
+/** Maximum number of values in a job, their maximum depth, and the maximum length of all its texts together in UTF-16 units. */
 export const MOST_VALUES = 20000;
 export const DEEPEST = 16;
 export const MOST_TEXT = 2000000;
 
-/** What a value begins with. */
+/** Tags of values. */
 export const NULL = 0;
 export const FALSE = 1;
 export const TRUE = 2;
@@ -16,7 +16,7 @@ export const LIST = 5;
 export const MAP = 6;
 export const OTHER = 7;
 
-/** What has no place in a job. */
+/** Kinds of values that a job cannot have. */
 export const UNDEFINED = 0;
 export const NO_DATA = 1;
 export const UNREADABLE = 2;
@@ -26,7 +26,7 @@ export const TOO_MUCH_TEXT = 5;
 export const TOO_LONG = 6;
 export const TOO_MANY_KEYS = 7;
 
-/** The sections of a plan. */
+/** Sections of a plan. */
 export const TOUCHES = 0;
 export const MOVES = 1;
 export const PROGRAM = 2;
@@ -36,13 +36,13 @@ export const FINDINGS = 5;
 export const SAFETY = 6;
 export const SECTIONS = 7;
 
-/** Words that go out as their places in these lists. */
+/** Words that are passed as their index in these lists. */
 export const FEEDS = ["approach", "longLink", "work", "retract", "return", "rapid"] as const;
 export const KINDS = ["position", "touch", "back"] as const;
 export const UNITS = ["mm", "inch", "deg", ""] as const;
 export const LEVELS = ["error", "warning", "info"] as const;
 
-/** The rows of a plan, field by field. */
+/** Rows of a plan, field by field. */
 export const touch = (r: Unpacked) => ({ point: r.triple(), vector: r.triple(), group: r.count(), cycle: r.count() });
 export const program = (r: Unpacked) => ({
   post: r.text(),

@@ -334,7 +334,7 @@ export type ResultCode =
   | "preset.rotation"
   | "table.turn";
 
-/** What a tolerance or a limit makes of a value. */
+/** Verdict of a tolerance or limit on a value. */
 export type Judged =
   | "good"
   | "rework"
@@ -345,7 +345,7 @@ export type Judged =
   | "out"
   | "out within ±";
 
-/** The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then. */
+/** The verdict of a value, or of the whole workpiece (`Q183`), with the reaction of the control. */
 export type Verdict = Judged | `${Judged}: ${string}`;
 
 /** Weight of a finding. */

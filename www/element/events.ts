@@ -38,7 +38,7 @@ function copyOf(own: Plan): { plan: Plan } {
 }
 
 /** The element that dispatches the events. @internal */
-interface Telling extends HTMLElement {
+interface Dispatcher extends HTMLElement {
   tell<K extends keyof TouchPathEvents>(
     name: K,
     detail: TouchPathEvents[K]["detail"],
@@ -47,7 +47,7 @@ interface Telling extends HTMLElement {
 
 /** Dispatches the element's events and sets the form's value whenever the job changes. @internal */
 export function followJob(
-  element: Telling,
+  element: Dispatcher,
   inside: ElementInternals,
   { store, app }: { store: Store; app: App },
 ): void {

@@ -200,7 +200,7 @@ export class Intake {
       const why =
         thrown instanceof NotLoaded
           ? this.store.t(
-              "This part of the page could not be loaded: is there a network?",
+              "This part of the page could not be loaded. Check the network connection",
             )
           : this.store.t("This text cannot be read");
       if (!signal.aborted) this.page.tell(why);

@@ -342,7 +342,7 @@ class ProgramPart extends StorePart {
       this.against = "";
       this.tell(
         this.t(
-          "This part of the page could not be loaded: is there a network?",
+          "This part of the page could not be loaded. Check the network connection",
         ),
       );
     }

@@ -79,7 +79,7 @@ export class Shortcuts {
     else this.page.intake.paste(event);
   };
 
-  /** Target of the key listeners: the whole window on Touchpath's own page, so that a click beside everything does not disable them. */
+  /** Target of the key listeners: the whole window on Touchpath's own page, so that a click on empty space does not disable them. */
   private get heard(): EventTarget {
     return this.page.links ? document : this.app;
   }

@@ -31,7 +31,7 @@ const WHOLE = new Set(["lengths", "viewer"]);
 const SOON = 300;
 const LOADING: Message = [w("This part of the page is being loaded …")];
 export const MISSING: Message = [
-  w("This part of the page could not be loaded: is there a network?"),
+  w("This part of the page could not be loaded. Check the network connection"),
 ];
 
 /** The page's part in showing a tool. */

@@ -63,7 +63,7 @@ const LONG_LINE_BASE: PostDef = PostDef {
         (
             rules::LOW_START,
             words!(
-                "the program is that of grbl and does not ask where the stylus is: it must be above the first place, as the header says"
+                "the program is that of grbl and does not read the stylus position: it must be above the first position, as stated in the header"
             ),
         ),
         (rules::ONE_WRITE, WRITTEN_BY_THE_SENDER),
@@ -121,7 +121,7 @@ const GRBL_BASE: PostDef = PostDef {
         (
             rules::LOW_START,
             words!(
-                "{control} cannot ask where the stylus is: it must be above the first place, as the header says"
+                "{control} cannot read the stylus position: it must be above the first position, as stated in the header"
             ),
         ),
         (

@@ -23,10 +23,10 @@ pub enum ReaderId {
     Sinumerik,
 }
 
-/// Number of stored lines, in pairs: a pair has the last two lines with its hash that came twice.
+/// Number of stored lines. They form pairs by hash; a pair holds the last two lines that came twice.
 const LINES: usize = 16384;
 
-/// Longer lines, and lines with more contents, are read anew. With these limits the cache takes at most twenty megabytes, for real programs a fifth of that.
+/// Longer lines, and lines with more contents, are never stored. With these limits the cache takes at most twenty megabytes, for real programs a fifth of that.
 const LONGEST: usize = 200;
 const MOST_NODES: usize = 40;
 const MOST_NAMES: usize = 12;
@@ -38,7 +38,7 @@ const MOST_KNOWN: usize = 8000;
 const NOT_YET: Slot = Slot::MAX;
 
 thread_local! {
-    static MEMORY: Cell<Option<Box<LineCache>>> = const { Cell::new(None) };
+    static CACHE: Cell<Option<Box<LineCache>>> = const { Cell::new(None) };
     static OFF: Cell<bool> = const { Cell::new(false) };
 }
 
@@ -107,16 +107,14 @@ impl LineCache {
         if OFF.get() {
             return None;
         }
-        let mut own = MEMORY
-            .take()
-            .unwrap_or_else(|| Box::new(LineCache::empty()));
+        let mut own = CACHE.take().unwrap_or_else(|| Box::new(LineCache::empty()));
         own.slots.fill(NOT_YET);
         Some(own)
     }
 
     pub fn give_back(own: Option<Box<Self>>) {
         if own.is_some() {
-            MEMORY.set(own);
+            CACHE.set(own);
         }
     }
 
@@ -298,13 +296,13 @@ impl LineCache {
 }
 
 /// Hash by which a line is found before it is compared; `None` for a line that is never stored.
-fn hashed(text: &str, (hand, more): (ReaderId, u8)) -> Option<u32> {
+fn hashed(text: &str, (reader, more): (ReaderId, u8)) -> Option<u32> {
     if !(1..=LONGEST).contains(&text.len()) {
         return None;
     }
     let mut hasher = FxHasher::default();
     hasher.write(text.as_bytes());
-    hasher.write_u8(hand as u8 * 2 + more);
+    hasher.write_u8(reader as u8 * 2 + more);
     Some(hasher.finish() as u32)
 }
 
@@ -324,7 +322,7 @@ fn part_of(text: &str, part: &[u8]) -> Option<Part> {
     (text.as_bytes().get(at..at + part.len())? == part).then_some((at as u8, part.len() as u8))
 }
 
-/// A value with its operands shifted in the list, and other variables.
+/// A value with shifted operands and other variables.
 #[inline]
 fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
     match *node {
@@ -426,7 +424,7 @@ mod tests {
         N5#3000=1(A)\nG10L2P1X#101\nM30\n%\n";
 
     #[test]
-    fn a_program_is_read_the_same_from_memory() {
+    fn a_program_is_read_the_same_from_the_cache() {
         for (post, text) in [
             ("linuxcnc", LINUXCNC),
             ("sinumerik", SINUMERIK),
@@ -453,7 +451,7 @@ mod tests {
 
     /// Endless new lines and names: the cache stays bounded and correct.
     #[test]
-    fn the_memory_is_bounded() {
+    fn the_cache_is_bounded() {
         let name = |n: usize| format!("#<n{n}>=[#<m{n}>+{n}]\n");
         for from in 0..4 {
             same(

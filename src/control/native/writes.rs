@@ -18,7 +18,7 @@ pub struct Written {
     pub is_sure: bool,
 }
 
-/// Start of the meaning of a letter that names a work offset.
+/// Start of the meaning of a letter with a work offset.
 const OFFSET: &str = "work offset that is written";
 
 /// X and Y.

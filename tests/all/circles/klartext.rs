@@ -1,4 +1,4 @@
-//! The block of 1411 as HEIDENHAIN controls have it: read unchanged, and written again.
+//! The block of 1411 as on HEIDENHAIN controls, read and written again.
 
 use super::{holes, text};
 use crate::common::import;
@@ -30,7 +30,7 @@ Q1120=+0 ;TRANSER POSITION ~
 Q1121=+0 ;CONFIRM ROTATION";
 
 fn block_lines(program: &str) -> Vec<String> {
-    // The number of the block is that of a program with other comments.
+    // The block number differs, because our programs have other comments.
     let lines = program
         .lines()
         .skip_while(|l| !l.contains("TCH PROBE 1411"))
@@ -45,8 +45,8 @@ fn block_lines(program: &str) -> Vec<String> {
         .collect()
 }
 
-/// The manual's own example is read unchanged, and written again letter by letter. Its diameters of 0 cannot be probed, so
-/// they are made 10 and the points put apart before it is planned; the other lines must be the manual's.
+/// The manual's example is read and written again letter by letter. Its diameters of 0 cannot be probed, so they are set to 10
+/// and the points are moved apart; the other lines must equal the manual's.
 #[test]
 fn the_manuals_example_is_read_and_written() {
     let imported = import(SEED).unwrap();
@@ -54,7 +54,7 @@ fn the_manuals_example_is_read_and_written() {
         imported.job.get("cycle").unwrap().get("diameter1"),
         Some(&number(0.0))
     );
-    // A text without a name gets that of what is measured.
+    // A text without a name gets the default name of its job.
     let mut job = with(
         &with(&imported.job, "cycle.diameter1", number(10.0)),
         "name",
@@ -116,12 +116,12 @@ fn other_ways_to_write_the_block_are_read() {
     assert!(import("nothing at all").is_err() && import("").is_err() && import("{").is_err());
 }
 
-/// Where both circles are, and how large.
+/// Positions and diameters of both circles.
 const PLACED: &str =
     "Q1100=-31 Q1101=+1 Q1102=-11 Q1116=+21 Q1103=+29 Q1104=+2 Q1105=-12 Q1117=+22";
 
-/// The example at the end of the manual's page of 1411, as the page prints it: blank lines, and each comment with its `~` in a line of its own. The numbers are
-/// others than the form's.
+/// The example at the end of the manual's page of 1411, as the page prints it: with blank lines, and each comment with its `~` on a separate line. Its values
+/// differ from the form's defaults.
 #[test]
 fn the_example_of_the_manual_is_read_as_it_is_printed() {
     let parameters = [
@@ -171,7 +171,7 @@ fn the_example_of_the_manual_is_read_as_it_is_printed() {
     }
 }
 
-/// A position or a diameter that nobody gave was the form's: a hole of 20 at X-30. The control refuses such a block.
+/// A missing position or diameter must not become the form's default, a hole of 20 at X-30. The control refuses such a block.
 #[test]
 fn a_position_or_a_diameter_that_is_not_given_is_no_default() {
     let refused = |text: &str| -> Vec<String> {
@@ -197,7 +197,7 @@ fn a_position_or_a_diameter_that_is_not_given_is_no_default() {
     );
 }
 
-/// The finding spoke of another default than the form's. The numbers here are typed from the manual page of the cycle (docs/cycles/probing-two-circles.md), in mm.
+/// The finding must show the form's default. The numbers are typed from the manual page of the cycle (docs/cycles/probing-two-circles.md), in mm.
 #[test]
 fn a_parameter_that_is_not_given_has_the_forms_default() {
     let defaults: [(u32, &str, f64); 11] = [
@@ -254,7 +254,7 @@ fn a_parameter_that_is_not_given_has_the_forms_default() {
         );
         assert!(missing.contains(&wanted), "{wanted:?}: {missing:#?}");
     }
-    // One that is given is no default, and one that cannot be read is reported once.
+    // A given value replaces the default, and an unreadable one is reported once.
     let one = placed("MM", "Q325=+7 Q320=abc");
     assert_eq!(
         (
@@ -373,7 +373,7 @@ fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
     );
     let named = with_tools("1 TOOL CALL \"TOUCH_PROBE\" Z", "");
     assert!(named.findings.iter().any(|f| f.code == "tool-by-name"));
-    // A block without a tool states the tool axis or the spindle speed only.
+    // A block without a tool number only states the tool axis or the spindle speed.
     for axis in ["1 TOOL CALL Z S50", "1 TOOL CALL S50", "1 TOOL CALL"] {
         let read = with_tools(axis, "");
         assert!(
@@ -404,7 +404,7 @@ fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
     );
 }
 
-/// A block that shifts, turns, mirrors, scales or tilts is warned of; one that resets, or does nothing, is not.
+/// A block that shifts, rotates, mirrors, scales or tilts has a warning; one that resets or has no effect has none.
 #[test]
 fn transformations_before_the_cycle_are_said() {
     let cycle = touchpath::job::plan(&with(

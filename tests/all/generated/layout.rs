@@ -45,7 +45,7 @@ fn numbered(text: &mut String, names: impl Iterator<Item = String>) {
 
 pub fn layout() -> String {
     let mut text = HEAD.to_owned();
-    text.push_str("\n/** The most values a job may hold, how deep they may lie, and the most UTF-16 units of all its texts together. */\n");
+    text.push_str("\n/** Maximum number of values in a job, their maximum depth, and the maximum length of all its texts together in UTF-16 units. */\n");
     for (name, most) in [
         ("MOST_VALUES", MOST_VALUES),
         ("DEEPEST", DEEPEST),
@@ -53,14 +53,14 @@ pub fn layout() -> String {
     ] {
         writeln!(text, "export const {name} = {most};").unwrap();
     }
-    text.push_str("\n/** What a value begins with. */\n");
+    text.push_str("\n/** Tags of values. */\n");
     numbered(
         &mut text,
         TAGS.iter().map(|tag| format!("{tag:?}").to_uppercase()),
     );
-    text.push_str("\n/** What has no place in a job. */\n");
+    text.push_str("\n/** Kinds of values that a job cannot have. */\n");
     numbered(&mut text, OTHERS.iter().map(|(name, _)| (*name).to_owned()));
-    text.push_str("\n/** The sections of a plan. */\n");
+    text.push_str("\n/** Sections of a plan. */\n");
     numbered(
         &mut text,
         Section::ALL
@@ -68,7 +68,7 @@ pub fn layout() -> String {
             .map(|section| format!("{section:?}").to_uppercase()),
     );
     writeln!(text, "export const SECTIONS = {};", Section::ALL.len()).unwrap();
-    text.push_str("\n/** Words that go out as their places in these lists. */\n");
+    text.push_str("\n/** Words that are passed as their index in these lists. */\n");
     let owned = |list: &[&str]| {
         list.iter()
             .map(|word| (*word).to_owned())
@@ -84,7 +84,7 @@ pub fn layout() -> String {
             .to_owned()
     };
     words(&mut text, "LEVELS", &LEVELS.map(level));
-    text.push_str("\n/** The rows of a plan, field by field. */\n");
+    text.push_str("\n/** Rows of a plan, field by field. */\n");
     for (name, fields) in ROWS {
         let fields: Vec<String> = fields
             .iter()

@@ -97,7 +97,7 @@ import type { Message } from \"./said.js\";
 
 /// The verdict of the whole workpiece says what the control does then.
 const VERDICT: &str = r#"
-/** What a tolerance or a limit makes of a value. */
+/** Verdict of a tolerance or limit on a value. */
 export type Judged =
   | "good"
   | "rework"
@@ -108,7 +108,7 @@ export type Judged =
   | "out"
   | "out within ±";
 
-/** The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then. */
+/** The verdict of a value, or of the whole workpiece (`Q183`), with the reaction of the control. */
 export type Verdict = Judged | `${Judged}: ${string}`;
 "#;
 

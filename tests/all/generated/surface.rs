@@ -1,11 +1,11 @@
-//! The names that a user of the crate can reach, one a line: a change of them is seen in a review.
+//! Public names of the crate, one per line, so that a review shows every change.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use syn::{Attribute, ImplItem, Item, Meta, UseTree, Visibility};
 
-/// Every public name, as a path, with what it is.
+/// Every public name as a path, with its kind.
 pub fn surface() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut names = BTreeSet::new();
@@ -17,7 +17,7 @@ fn public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// Whether an item is hidden from the documents, or is a test: nothing of it is promised.
+/// Whether an item is hidden from the docs or a test, and therefore not public.
 fn hidden(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         if attribute.path().is_ident("path") {
@@ -30,10 +30,10 @@ fn hidden(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// Names, and what they are called where they are re-exported.
+/// Names, with their names after a re-export.
 type Renamed = BTreeMap<String, String>;
 
-/// The public names of a file. Of a private module only what the modules around it name in a `pub use`.
+/// Public names of a file; for a private module, those that its parents re-export.
 fn walk(
     file: &Path,
     folder: &Path,
@@ -55,7 +55,7 @@ fn walk(
         {
             let mut found = Renamed::new();
             uses(&item.tree, &mut found);
-            // From elsewhere in the crate, or another name of what is here: the name is this module's, too.
+            // A re-export from another module or under another name belongs to this module, too.
             let elsewhere = matches!(&item.tree, UseTree::Path(path) if path.ident == "crate");
             if elsewhere || matches!(&item.tree, UseTree::Rename(_)) {
                 names.extend(
@@ -99,7 +99,7 @@ fn walk(
                     folder.join(&name).join("mod.rs"),
                 ];
                 let wasm = name == "wasm" || (name == "canvas" && module.ends_with("view"));
-                // Behind a private module, and under the parent's name, is what the parent re-exports; for two private modules, what both do.
+                // A private module exports what its parent re-exports, under the parent's name; two nested ones what both re-export.
                 let both =
                     |(name, called): (&String, &String)| Some((name.clone(), shown(called)?));
                 let through: Renamed = reexported.iter().filter_map(both).collect();
@@ -135,7 +135,7 @@ fn hands_on_all(item: &Item, name: &str) -> bool {
         && public(&item.vis)
 }
 
-/// The names at the ends of a `use`, and what they are called after it.
+/// Names at the ends of a `use`, with their new names.
 fn uses(tree: &UseTree, found: &mut Renamed) {
     match tree {
         UseTree::Path(inner) => uses(&inner.tree, found),

@@ -29,7 +29,7 @@ export interface PickedTouch {
   vector: Vec3;
 }
 
-/** A code of the user's own: it goes through as it is. */
+/** A code of the user, passed on unchanged. */
 export interface CustomCode {
   code: number;
   type: "Int" | "Flt" | "Bol";
@@ -47,37 +47,37 @@ const TOLERANCES: &str = r#"  /** The tolerance of each result, by its code: `di
 
 /// The tolerance of a result.
 const RESULT_TOLERANCE: &str = r#"
-/** The tolerance of a result, and what follows from a value out of it. */
+/** The tolerance of a result, and the action when a value exceeds it. */
 export interface ResultTolerance {
   /**
-   * About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees.
+   * Relative to the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, for an angle in degrees.
    * Omit it if the size contains the tolerance.
    */
   tolerance?: string;
-  /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */
+  /** The program continues, shows the result and continues, or stops with an alarm. Default: `go`. */
   action?: "go" | "mark" | "stop";
-  /** The tool that is corrected by this size: by the macros of a Fanuc and its kin, in the form `cycle`. */
+  /** The tool that is corrected from this size, by the macros of Fanuc-type controls in the form `cycle`. */
   wear?: Wear | null;
 }
 
-/** How a macro corrects a tool by a size that it measures. */
+/** Correction of a tool by a macro, from a size that it measures. */
 export interface Wear {
   /** The number of the tool offset. */
   tool: number;
-  /** How much of the error it is corrected by, 1 to 100 percent. Left out: 100. */
+  /** Feedback percentage: share of the error to correct, 1 to 100. Default: 100. */
   percent?: number;
-  /** The error up to which nothing is corrected, in the job's units, 1 mm at most. Left out: 0. */
+  /** Dead band: error that is ignored, in the job's units, at most 1 mm. Default: 0. */
   deadBand?: number;
-  /** Of how many parts the mean of the errors counts. Left out: each part corrects the tool. */
+  /** Number of parts whose mean error is corrected. Default: each part corrects the tool. */
   parts?: number | null;
-  /** With `parts`: the first of two tool offsets, of no tool, in which the macro keeps its values. */
+  /** With `parts`: the first of two tool offsets that no tool uses, in which the macro stores its values. */
   store?: number | null;
 }
 "#;
 
 /// A job of several cycles.
 const SET_UP: &str = r#"
-/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`. */
+/** A value of a cycle in a set-up: a number, or a result of an earlier cycle plus a number, such as `=TOP.z-5` or `=SIDE.rotation+90`. */
 export type Followable = number | `=${string}`;
 
 type Following<C> = {
@@ -88,35 +88,35 @@ type Following<C> = {
       : C[K];
 };
 
-/** A cycle of a set-up. Its name, a letter and then letters and digits, prefixes its results; the default is what the cycle measures. */
+/** A cycle of a set-up. Its name, a letter and then letters and digits, prefixes its results; the default names the measured feature. */
 export type NamedCycle = Following<Cycle> & { name?: string };
 
-/** What lies between the features of a set-up. A later one may be of an earlier one. */
+/** Relations between the features of a set-up. A relation may use an earlier one. */
 export interface Relation {
-  /** Stands in front of its results, as the name of a cycle. */
+  /** Prefix of its results, like the name of a cycle. */
   name: string;
   /**
 RELATION_SAYS   */
   type: RELATION_TYPES;
-  /** Names of cycles and relations that measure a place in the plane, or results as `BORE.diameter`. */
+  /** Names of cycles and relations that measure a position in the plane, or results such as `BORE.diameter`. */
   of: string[];
 }
 
 /**
- * Several cycles in one program: one header, safe ways between them, one write at the end. What is left out takes the catalog's default. Sizes of the virtual
- * part are named after their cycle: `BORE.diameter`.
+ * Several cycles in one program: one header, safe link moves between them, one write at the end. Omitted values have the catalog's defaults. Sizes of the
+ * virtual part are prefixed with their cycle: `BORE.diameter`.
  */
 export interface SetUp extends Omit<Job, "format" | "cycle"> {
   format: 2;
   cycles: NamedCycle[];
-  /** Height along the tool axis at which the ball centre goes from one cycle to the next. `null`: as high as the highest cycle begins and ends. */
+  /** Clearance plane between the cycles: height of the ball centre along the tool axis. `null`: the highest start or end of a cycle. */
   clear?: number | null;
   /**
-   * Which result is written into which axis of the work offset, as `BORE.center.x`: x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle
-   * that measures the axis. `null`: not written. A rotation is written where one is named.
+   * Result written into each axis of the work offset, such as `BORE.center.x`: x is the abscissa, y the ordinate, z the tool axis. Default: the first cycle that
+   * measures the axis. `null`: not written. A rotation is only written if it is specified.
    */
   datum?: { x?: string | null; y?: string | null; z?: string | null; rotation?: string | null };
-  /** What is computed of the results of the cycles. Its results are named after it, as those of a cycle. */
+  /** Relations: results computed from results of the cycles, prefixed with the relation's name. */
   relations?: Relation[] | null;
 }
 "#;
@@ -247,7 +247,7 @@ fn cycle(text: &mut String, def: &CycleDef) {
         }
     }
     if def.place.is_some() {
-        text.push_str("  /** The Job Assignment's own picks: they replace the points that the dimensions give. */\n  touches?: PickedTouch[] | null;\n");
+        text.push_str("  /** Touches picked in the Job Assignment. They replace the points computed from the dimensions. */\n  touches?: PickedTouch[] | null;\n");
     }
     if def.number.is_some() {
         text.push_str("  custom?: CustomCode[] | null;\n");
@@ -268,7 +268,7 @@ pub fn job_types() -> String {
             named.push(section.key);
             writeln!(
                 text,
-                "\n/** What several cycles have as `{}`. */\nexport interface {} {{",
+                "\n/** Fields that several cycles have as `{}`. */\nexport interface {} {{",
                 section.key,
                 type_name(section.key)
             )
@@ -285,7 +285,7 @@ pub fn job_types() -> String {
         write!(text, "\n  | {}", type_name(def.key)).unwrap();
     }
     text.push_str(
-        ";\n\n/** A probing job. What is left out takes the catalog's default. */\nexport interface Job {\n  format: 1;\n",
+        ";\n\n/** A probing job. Omitted values have the catalog's defaults. */\nexport interface Job {\n  format: 1;\n",
     );
     for section in SECTIONS {
         if section.key.is_empty() {
@@ -293,14 +293,14 @@ pub fn job_types() -> String {
             continue;
         }
         if section.key == STOCK.key {
-            text.push_str("  /** The block that the features are cut into, parallel to the axes; `null`: not known, and not checked. */\n");
+            text.push_str("  /** The block that the features are cut into, parallel to the axes; `null`: unknown and not checked. */\n");
         }
         writeln!(text, "  {}?: {{", section.key).unwrap();
         members(&mut text, section.fields, "    ");
         match section.key {
-            "tool" => text.push_str("    /** The active frame's steps, in order. */\n    frame?: FrameStep[];\n"),
+            "tool" => text.push_str("    /** Steps of the active frame, in order. */\n    frame?: FrameStep[];\n"),
             "part" => text.push_str(
-                "    /** By how much a size of the part differs, by the field's key. */\n    sizes?: Record<string, number>;\n",
+                "    /** Deviation of each size of the part, by the field's key. */\n    sizes?: Record<string, number>;\n",
             ),
             _ => {}
         }

@@ -1,10 +1,10 @@
-//! Macros are run: expressions against LinuxCNC's own interpreter, and what is not known stays so. Whole macros are in `tests/programs`.
+//! Macros are run: expressions against LinuxCNC's own interpreter, and unknown values stay unknown. Whole macros are in `tests/programs`.
 
 use proptest::prelude::*;
 
 use super::*;
 
-/// Expressions of known numbers, as the interpreter computes them.
+/// Expressions of known numbers, compared with the interpreter.
 fn expression() -> impl Strategy<Value = String> {
     let leaf = prop_oneof![
         (-200i32..200).prop_map(|n| format!("{}", f64::from(n) / 8.0)),
@@ -65,16 +65,16 @@ proptest! {
     }
 }
 
-/// What the control would know is not guessed, and what it guards is not sure from there on.
+/// Values that only the control knows are not guessed, and conditions on them make later values unknown.
 #[test]
 fn what_is_not_known_stays_unknown() {
-    // A jump back that may be made repeats what it repeats; a block that may be left out sets nothing for sure.
+    // A possible jump back may repeat lines; a block that may be skipped makes its variables unknown.
     for body in [
         // A branch that jumps over the other one.
         "IF[#5061 GT 3.]GOTO 10\n#101=1.\nGOTO 20\nN10 #101=2.\nN20 G4 P1.\n",
-        // Blocks of the same number in another program are no targets.
+        // Blocks with the same number in another program are no targets.
         "#101=1.\nIF[#5061 GT 3.]GOTO 20\nG65 P9300\n#101=2.\nN20 G4 P1.\n",
-        // What another round may set in a branch that this one does not run.
+        // A variable that another round may set in a branch that this one skips.
         "#101=1.\n#102=0.\nWHILE[#5061 GT 3.]DO1\nIF[#102 EQ 1.]THEN #101=5.\n#102=1.\nEND1\n",
         "#101=1.\nM463\n",
         "#101=1.\nG65 P9810 X2.\n",
@@ -118,7 +118,7 @@ fn what_is_not_known_stays_unknown() {
     }
 }
 
-/// Any text comes back, and an endless loop is ended.
+/// Reading ends for any text, even with an endless loop.
 #[test]
 fn hostile_macros_come_back() {
     for text in [

@@ -189,7 +189,7 @@ impl Probed for Circle {
             let wanted = [first, -first, third, -third];
             if let Some(k) = (0..4).find(|&k| (picks[k].vector - wanted[k]).length() > 2.0 * NEAR) {
                 let message = text!(
-                    "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 opposite touch 3: touch {touch} is not. The angular variant takes any touches",
+                    "In the rectangular variant touch 2 is opposite touch 1, touch 3 is 90° counter-clockwise from touch 1, and touch 4 opposite touch 3: touch {touch} is not. The angular variant supports any touches",
                     k + 1
                 );
                 checker.error(

@@ -1,7 +1,7 @@
 //! Probing two circles: HEIDENHAIN cycle 1411, optionally with extrusion probing (1493) before it.
 //!
 //! Parameters, meanings and results follow the control's manual. Our own choices, which the manual leaves open, are in one place each: [`TwoCircles::angles`]
-//! (positions of the touches), [`planner`] (moves between touches) and [`judge`] (good, rework or scrap).
+//! (positions of the touches), [`planner`] (moves between touches) and [`verdicts`] (good, rework or scrap).
 
 mod form;
 mod formula;
