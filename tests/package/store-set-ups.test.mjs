@@ -184,7 +184,7 @@ test("a file with several cycles is opened and saved as it is; sizes of the virt
     ],
   );
   store.clearAt(20);
-  assert.match(said(store, "clear").join(), /goes across at 20 mm/);
+  assert.match(said(store, "clear").join(), /moves across at 20 mm/);
 });
 
 test("a name that is taken for a while took the datum with it", () => {
