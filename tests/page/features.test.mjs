@@ -76,7 +76,7 @@ test("a feature is a row of the list; of several the sentence of what is written
   await page.keyboard.press("Tab");
   assert.match(
     await textOf(page.locator(".datum .problem")),
-    /goes across at 5 mm/,
+    /moves across at 5 mm/,
   );
   await page.getByLabel("Height between cycles").fill("");
   await page.keyboard.press("Tab");
