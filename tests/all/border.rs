@@ -1,4 +1,4 @@
-//! What crosses the border to JavaScript, seen from this side: its layout by hand, and that no codes break it.
+//! Data passed to JavaScript: its layout by hand, and arbitrary codes, which must not break it.
 
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn a_value_is_read_as_it_was_coded() {
         decoded(&codes, "a\né\n"),
         Value::Map(vec![("a".to_owned(), Value::List(items))])
     );
-    // A character outside of the basic plane has two units.
+    // A character outside the basic plane has two units.
     assert_eq!(
         decoded(&[4.0, 2.0], "\u{1f600}\n"),
         Value::Text("\u{1f600}".to_owned())
@@ -47,7 +47,7 @@ proptest! {
     }
 }
 
-/// Each section begins where the head says, with the number of its rows, and the last one ends with the numbers.
+/// Each section starts where the head states, with the number of its rows; the last one ends with the numbers.
 #[test]
 fn the_sections_of_a_plan_are_where_its_head_says() {
     let plan = planned(&default_job("internal-rectangle-protected").unwrap());

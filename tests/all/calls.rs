@@ -1,4 +1,4 @@
-//! Which words of native cycles take which rows of the parameter table.
+//! Words of native cycles for the rows of the parameter table.
 
 use crate::common::{number, with};
 use touchpath::describe::{export_table, export_table_with_calls};
@@ -18,7 +18,7 @@ fn job(cycle: &str, post: &str, offset: Value) -> Value {
     )
 }
 
-/// The words by the code of their row, as the macros' and cycles' own descriptions say.
+/// Words by the code of their row, from the descriptions of the macros and cycles.
 #[test]
 fn each_code_goes_to_the_word_that_means_the_same() {
     let words = |cycle: &str, post: &str, offset: Value| -> Vec<(String, String)> {
@@ -60,7 +60,7 @@ fn each_code_goes_to_the_word_that_means_the_same() {
             ("Flt[-57]", "410 Q320")
         ])
     );
-    // The steps of a corner are I and J, and the walls are the places of its touches: side 1 across X.
+    // The steps of a corner are I and J, and the walls are the positions of its touches: side 1 across X.
     let corner = words("double-wall-external-corner", "okuma", Value::Null);
     for pair in pairs(&[
         ("Flt[-65]", "O9816 PJ"),
@@ -88,7 +88,7 @@ fn each_code_goes_to_the_word_that_means_the_same() {
     );
 }
 
-/// The column is there where cycles are called, and nowhere else; a dump that has it is still read.
+/// The column exists only where cycles are called; a dump with it can still be read.
 #[test]
 fn an_exported_table_has_the_column() {
     let own = job("hole-protected", "fanuc", Value::Null);

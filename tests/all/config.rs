@@ -1,4 +1,4 @@
-//! What a portal's config fills in, refuses, and says of the path: against hand calculations.
+//! Values that a portal's config fills in or refuses, and its checks of the path: against hand calculations.
 
 use crate::common::{job, values};
 use touchpath::config::Config;
@@ -9,7 +9,7 @@ fn config(rest: &str) -> Config {
     Config::read(&job(&format!(r#"{{ "format": 1, {rest} }}"#))).expect("a good config")
 }
 
-/// Code and path of everything that is refused.
+/// Code and path of every refusal.
 fn refused(config: &Config, text: &str) -> Vec<String> {
     let judged = config.judge(&config.fill(&job(text)));
     judged
@@ -84,7 +84,7 @@ fn what_a_job_leaves_out_is_filled_in_and_converted() {
         (number(&set_up, "feeds.work"), set_up.get("cycle")),
         (127.0, None)
     );
-    // A config in inch says the same in inch.
+    // A config in inch has the same effect in inch.
     let inch = config(
         r#""units": "inch", "fields": { "feeds.work": { "value": 5 }, "cycle.depth": { "value": 0.5 } }"#,
     );
@@ -130,7 +130,7 @@ fn a_job_that_names_no_control_gets_one_that_is_allowed_and_takes_its_cycle() {
         ),
         ("heidenhain".into(), "cycle".into())
     );
-    // The default goes before what is allowed beside it.
+    // The default takes precedence over other allowed values.
     let default = config(r#""allow": { "controls": ["haas", "linuxcnc"] }"#);
     assert_eq!(
         text(
@@ -139,7 +139,7 @@ fn a_job_that_names_no_control_gets_one_that_is_allowed_and_takes_its_cycle() {
         ),
         "linuxcnc"
     );
-    // A form that is allowed is looked for, too: LinuxCNC has no native cycles.
+    // An allowed form is chosen, too: LinuxCNC has no native cycles.
     for allow in [
         r#""forms": ["cycle"]"#,
         r#""forms": ["cycle"], "controls": ["linuxcnc", "haas"]"#,
@@ -190,7 +190,7 @@ fn what_is_not_allowed_is_refused_where_it_stands() {
     );
     let one = config(r#""allow": { "setUps": false }"#);
     assert_eq!(refused(&one, set_up), ["not-allowed cycles"]);
-    // The words are those of the form.
+    // The words of the form.
     let said =
         rules.judge(&job(r#"{ "format": 1, "cycle": { "type": "boss" }, "control": { "post": "haas", "workOffset": 3 } }"#));
     let said: Vec<&str> = said.iter().map(|f| f.message.as_str()).collect();
@@ -252,7 +252,7 @@ fn fields_are_fixed_and_bounded_in_any_units() {
     );
 }
 
-/// Null is rapid, without a limit, not called: more than any limit.
+/// Null is rapid, no limit or no tool call: outside all bounds.
 #[test]
 fn null_is_within_no_bounds() {
     let rules = config(
@@ -271,7 +271,7 @@ fn null_is_within_no_bounds() {
     assert_eq!(refused(&rules, good), [""; 0]);
 }
 
-/// 1411 sets the active preset: its job names no work offset.
+/// 1411 sets the active preset: its job specifies no work offset.
 #[test]
 fn a_cycle_that_writes_by_itself_is_measured_by_what_it_writes() {
     let circles = |confirm: u8, transfer: u8| {
@@ -359,7 +359,7 @@ fn the_searches_of_a_path_stay_within_the_travel() {
         ["85.5 mm", "85.6 mm"],
         "the search, and where the travel ends"
     );
-    // The same machine, whose zero lies elsewhere, in inch.
+    // The same machine with another zero, in inch.
     let moved = r#""units": "inch", "space": { "zero": [10, 0, -20], "travel": { "min": [13.36615, 0, -21], "max": [20, 10, 0] } }"#;
     // 85.5 mm are 3.366142 inch.
     assert_eq!(refused(&config(moved), &bore("")), ["beyond-travel cycle"]);
@@ -373,7 +373,7 @@ fn the_searches_of_a_path_stay_within_the_travel() {
         refused(&config(narrow), set_up),
         ["beyond-travel cycles[1]"]
     );
-    // A cycle that follows a result goes 2 mm farther at most: to X 116.5, and Y 64.5, which it does not follow.
+    // A cycle that follows a result moves at most 2 mm farther: to X 116.5; it does not follow along Y, 64.5.
     let follows = r#"{ "format": 2, "limits": { "position": 2 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
         { "type": "hole", "diameter": 25, "origin": ["=A.center.x+100", 50, 0] }] }"#;
     let most = |x: f64, y: f64| {
@@ -388,7 +388,7 @@ fn the_searches_of_a_path_stay_within_the_travel() {
         refused(&config(&most(116.5, 64.4)), follows),
         ["beyond-travel cycles[1]"]
     );
-    // Where a size may be is known at the machine alone: a field with bounds takes no result.
+    // The range of a size is known only at the machine: a field with bounds accepts no result.
     let sized = r#"{ "format": 2, "limits": { "size": 1 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
         { "type": "hole", "diameter": "=A.diameter-2", "origin": [100, 50, 0] }] }"#;
     let bounds = |least: f64| {
@@ -412,7 +412,7 @@ fn the_searches_of_a_path_stay_within_the_travel() {
         refused(&config(&post(119.4)), follows),
         ["keep-out cycles[1]"]
     );
-    // The way out of a cycle that follows begins where that cycle lies: at X 100 and up to 5 farther, with a ball of radius 3.
+    // The move away from a cycle that follows starts at its position: at X 100 and up to 5 farther, with a ball of radius 3.
     let leaves = r#"{ "format": 2, "limits": { "position": 5 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
         { "type": "hole", "diameter": 25, "origin": ["=A.center.x+100", 0, 0] }, { "type": "hole", "diameter": 25, "origin": [100, 100, 0] }] }"#;
     let beside = |x: f64| {
@@ -435,7 +435,7 @@ fn nothing_of_the_probe_enters_a_keep_out_zone() {
         ))
     };
     let far = [200.0, 60.0, 20.0];
-    // The ball's far side comes to 100 + 9.5 + 5 + 3.
+    // The ball's far side reaches 100 + 9.5 + 5 + 3.
     assert_eq!(
         refused(&zone([117.4, 40.0, -20.0], far), &bore("")),
         ["keep-out cycle"]
@@ -444,7 +444,7 @@ fn nothing_of_the_probe_enters_a_keep_out_zone() {
         refused(&zone([117.6, 40.0, -20.0], far), &bore("")),
         [""; 0]
     );
-    // Beside the way: the ball at Y 50 passes a corner by 2.9 mm, and not by 3.1.
+    // Beside the path: the ball at Y 50 passes a corner at 2.9 mm, and not at 3.1.
     assert_eq!(
         refused(&zone([110.0, 52.9, -20.0], far), &bore("")),
         ["keep-out cycle"]
@@ -484,7 +484,7 @@ fn nothing_of_the_probe_enters_a_keep_out_zone() {
         message.ends_with("the probe body enters the keep-out zone vise"),
         "{message}"
     );
-    // A longer stylus carries it over.
+    // A longer stylus clears it.
     let highest = zone([118.0, 40.0, -5.0], [200.0, 60.0, 41.0]);
     assert_eq!(
         refused(
@@ -500,7 +500,7 @@ fn nothing_of_the_probe_enters_a_keep_out_zone() {
         ),
         ["keep-out cycle"]
     );
-    // A shank of 8 mm comes to 118.5 where the ball comes to 117.5.
+    // A shank of 8 mm reaches 118.5 where the ball reaches 117.5.
     let post = || zone([118.0, 40.0, 5.0], [200.0, 60.0, 41.0]);
     assert_eq!(
         refused(
@@ -544,7 +544,7 @@ fn a_plan_holds_what_the_portal_says() {
         .plan(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#))
         .unwrap_err();
     assert_eq!(said(&refused.findings), ["The order is closed"]);
-    // What is wrong with the job and what the portal refuses is said at once.
+    // Errors of the job and refusals of the portal are reported together.
     let both = error
         .plan(&job(
             r#"{ "format": 1, "cycle": { "type": "hole", "diameter": -1 } }"#,
@@ -597,7 +597,7 @@ fn everything_wrong_with_a_config_is_said_at_once() {
             "out-of-range config.fields.feeds.work.value",
         ]
     );
-    // A config under which a job that says nothing would be refused.
+    // A config that would refuse a job without values.
     for (text, path) in [
         (
             r#""fields": { "overtravel": { "value": 50, "min": 2, "max": 8 } }"#,
@@ -631,7 +631,7 @@ fn everything_wrong_with_a_config_is_said_at_once() {
     }
 }
 
-/// Values that no config should have, at every place of one that is good.
+/// Invalid values at every position of a valid config.
 #[test]
 fn no_config_and_no_job_under_it_panics() {
     let good = job(
@@ -674,7 +674,7 @@ fn no_config_and_no_job_under_it_panics() {
     assert!(taken > 5, "some of them are good: {taken}");
 }
 
-/// A value with one of its places changed, every place and every change.
+/// A value with one of its parts changed: every part and every change.
 fn changes(value: &Value, odd: &[Value]) -> Vec<Value> {
     let mut all = odd.to_vec();
     match value {

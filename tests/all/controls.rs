@@ -1,4 +1,4 @@
-//! What each control of the list must have beside its writer: nobody adds one and is told so by chance.
+//! Requirements for each control of the list besides its writer, so that none is missed.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ fn text(word: &str) -> Value {
     Value::Text(word.to_owned())
 }
 
-/// The keys of the controls that can do this, in the order of the form: what a test is of, so that one more control joins it by itself.
+/// Keys of the controls with this ability, in the order of the form. A test names an ability, so that one more control joins it automatically.
 fn which(can: impl Fn(&PostDef) -> bool) -> Keys {
     POSTS
         .iter()
@@ -31,58 +31,58 @@ fn takes_moves(post: &PostDef) -> bool {
         .any(|def| (post.supports)(def.probes, ProgramForm::Moves).is_ok())
 }
 
-/// How a control of cycles of its own names this word of a call; empty where it has none.
+/// A control's spelling of this word of a native call; empty without one.
 fn word(post: &PostDef, number: u32, letter: &str) -> String {
     post.own
         .map_or_else(String::new, |own| (own.word)(number, letter))
 }
 
-/// The keys of the controls that take plain moves.
+/// Keys of the controls that support plain moves.
 pub fn of_moves() -> Keys {
     which(takes_moves)
 }
 
-/// Those whose programs of moves compute the results.
+/// Controls whose programs of moves compute the results.
 pub fn computing() -> Keys {
     which(|post| takes_moves(post) && post.computes)
 }
 
-/// Those whose programs of moves have a decimal point in every number.
+/// Controls whose programs of moves have a decimal point in every number.
 pub fn pointed() -> Keys {
     which(|post| takes_moves(post) && post.dialect.points)
 }
 
-/// Those of moves whose numbers need none.
+/// Controls of moves whose numbers need no decimal point.
 pub fn unpointed() -> Keys {
     which(|post| takes_moves(post) && !post.dialect.points)
 }
 
-/// Those that touch by the skip function G31, and tell a contact from the end of the move by how near the two are: the tests' own Fanuc runs them.
+/// Controls that touch with the skip function G31 and detect a contact by the distance to the end of the move: the simulated Fanuc runs them.
 pub fn skipping() -> Keys {
     which(|post| takes_moves(post) && post.nearest_trigger > 0.0)
 }
 
-/// Those whose programs have a number.
+/// Controls whose programs have a number.
 pub fn numbered() -> Keys {
     which(|post| !post.unused.contains(&"number"))
 }
 
-/// Those whose programs have none.
+/// Controls whose programs have no number.
 pub fn unnumbered() -> Keys {
     which(|post| post.unused.contains(&"number"))
 }
 
-/// Those whose programs can write a work offset.
+/// Controls whose programs can write a work offset.
 pub fn with_offsets() -> Keys {
     which(|post| post.work_offsets > 0)
 }
 
-/// Those with cycles of their own whose path is known.
+/// Controls with native cycles whose path is known.
 pub fn calling() -> Keys {
     which(|post| post.own.is_some())
 }
 
-/// Those whose own cycles are Renishaw's macros: a letter comes before the number, whose thousands differ on a Brother.
+/// Controls whose native cycles are Renishaw's macros: a letter precedes the number, whose thousands differ on a Brother.
 pub fn calling_macros() -> Keys {
     which(|post| {
         let word = word(post, 9814, "D");
@@ -91,17 +91,17 @@ pub fn calling_macros() -> Keys {
     })
 }
 
-/// Those that call the macros by the usual numbers and letters, as a Fanuc does.
+/// Controls that call the macros with the usual numbers and letters, like a Fanuc.
 pub fn calling_macros_as_a_fanuc() -> Keys {
     which(|post| word(post, 9814, "D") == "P9814 D")
 }
 
-/// Those whose own cycles can correct a tool offset.
+/// Controls whose native cycles can correct a tool offset.
 pub fn correcting_tools() -> Keys {
     which(|post| post.own.is_some_and(|own| own.corrects_tools))
 }
 
-/// Those of one list that are not in another one.
+/// Controls of one list that are not in another one.
 pub fn without(keys: &[&'static str], others: &[&str]) -> Keys {
     keys.iter()
         .copied()
@@ -156,8 +156,8 @@ fn every_control_states_what_is_its_own() {
     }
 }
 
-/// Which control is in which list, by hand from docs/controls.md, and from docs/programs.md what it does not say: points, skips, numbers and macros. A control
-/// that is added later may be in any.
+/// Lists of the controls, by hand from docs/controls.md, and from docs/programs.md for points, skips, numbers and macros. A control that is added later may be
+/// in any.
 #[test]
 fn each_control_is_in_the_lists_of_what_it_can() {
     let today =
@@ -262,7 +262,7 @@ fn every_control_has_its_facts() {
     }
 }
 
-/// A control of a kin with comments of 30 characters and two decimals: its programs are written, read back and judged so.
+/// A related control with comments of 30 characters and two decimals: its programs are written, read back and judged in that dialect.
 #[test]
 fn a_dialect_of_its_own_is_written() {
     let kin = touchpath::control::find("grbl").unwrap();
@@ -297,7 +297,7 @@ fn a_dialect_of_its_own_is_written() {
     assert_eq!(own.half_digit(1.0), 0.005 * (1.0 + 1e-6));
 }
 
-/// The control's refusals: every cycle in every form, and what makes a native cycle refuse it.
+/// Refusals of the control: every cycle in every form, and reasons against native cycles.
 fn refused_jobs() -> Vec<Value> {
     let variants: [&[(&str, &str)]; 8] = [
         &[],
@@ -336,7 +336,7 @@ fn refused_jobs() -> Vec<Value> {
     jobs
 }
 
-/// A message never recommends what the control refuses: where one names a form, the job is not refused for that form.
+/// A message never recommends a refused form: if it names a form, the job is not refused for that form.
 #[test]
 fn no_message_recommends_what_the_control_refuses() {
     let mut asked = 0;
@@ -362,7 +362,7 @@ fn no_message_recommends_what_the_control_refuses() {
     assert!(asked > 100, "{asked}");
 }
 
-/// Another value that a field takes.
+/// Another valid value of a field.
 fn changed(field: &Field) -> Vec<Value> {
     let numbers = |low: f64, high: f64| [low, high, (low + high) / 2.0].map(Value::Number).to_vec();
     let (low, high) = field
@@ -380,7 +380,7 @@ fn changed(field: &Field) -> Vec<Value> {
     }
 }
 
-/// Changing a field of the control or a feed changes the program of some cycle, or is said to change nothing.
+/// Changing a field of the control or a feed changes the program of some cycle, or a finding states that it has no effect.
 #[test]
 fn no_field_is_ignored_without_a_word() {
     let mut silent = BTreeSet::new();
@@ -440,7 +440,7 @@ fn no_field_is_ignored_without_a_word() {
     assert!(silent.is_empty(), "{silent:#?}");
 }
 
-/// A control that states what it cannot states all of it: over the list of its kin it would seem to turn a spindle.
+/// A control with unsupported rules lists all of them: with the list of its base it would seem to turn a spindle.
 #[test]
 fn these_controls_turn_the_spindle() {
     let turns = POSTS.iter().filter(|post| post.why_not(ORIENT).is_none());

@@ -1,4 +1,4 @@
-//! What a program does is one sentence, and it is true: list, sheet and header say the same. Each test is named after a failure that was seen.
+//! The write summary of a program is one true sentence, the same in list, sheet and header. Each test is named after a failure.
 
 use crate::common::{job, jobs, number, planned, with};
 use touchpath::form::Value;
@@ -8,7 +8,7 @@ fn text(t: &str) -> Value {
     Value::Text(t.to_owned())
 }
 
-/// The comments of a program as one text in small letters: lines are broken anywhere.
+/// Comments of a program as one lower-case text: lines are broken anywhere.
 fn comments(program: &ProgramText) -> String {
     let plain = |line: &str| {
         let line = line.trim_start_matches(|c: char| c.is_ascii_digit()).trim();
@@ -99,7 +99,7 @@ fn a_cycle_that_sets_rotation_and_preset_was_said_to_measure_only() {
     assert_eq!(circles(1, 0, 0, "G19").writes, ["preset Y", "preset Z"]);
 }
 
-/// A position that the operator shows is unknown, and the control corrects its preset by it all the same.
+/// A position that the operator shows is unknown, and the control still corrects its preset with it.
 #[test]
 fn an_object_whose_place_is_not_known_corrects_the_preset_too() {
     let job = with(
@@ -180,7 +180,7 @@ fn header_and_sentence_are_one() {
     assert!(writing > 10, "{writing}");
 }
 
-/// A rotation alone is written where the position is not: LinuxCNC's G10 has R and no X.
+/// Only a rotation is written, without the position: LinuxCNC's G10 has R and no X.
 #[test]
 fn a_rotation_alone_is_said_to_be_one() {
     let job = with(

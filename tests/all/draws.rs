@@ -1,11 +1,11 @@
-//! Touches that scatter, drawn many times: what uncertainties are held against.
+//! Touches with random scatter, drawn many times: the reference for uncertainties.
 
 use crate::common::planned;
 use touchpath::form::Value;
 use touchpath::geom::Vec3;
 use touchpath::part::{UncertaintySources, evaluate};
 
-/// How far each result of a job spreads where its touches scatter along their directions by 1 µm, so many times; the same in every run.
+/// Spread of each result of a job with touches that scatter along their directions by 1 µm; the same in every run.
 pub fn drawn_spreads(job: &Value, count: u32) -> Vec<Option<f64>> {
     let (plan, path) = (planned(job), touchpath::job::planned(job).unwrap().path);
     let mut normal = normals();
@@ -37,7 +37,7 @@ pub fn drawn_spreads(job: &Value, count: u32) -> Vec<Option<f64>> {
         .collect()
 }
 
-/// Numbers that scatter about 0 by 1, the same in every run.
+/// Random numbers with mean 0 and standard deviation 1, the same in every run.
 fn normals() -> impl FnMut() -> f64 {
     let mut state = 0x9e37_79b9_7f4a_7c15u64;
     let mut uniform = move || {

@@ -1,4 +1,4 @@
-//! A dry run: the same moves without a part, by the machines of the tests and LinuxCNC's interpreter.
+//! A dry run: the same moves without a part, on the simulated controls and LinuxCNC's interpreter.
 
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
@@ -28,7 +28,7 @@ fn dry(job: &Value, lift: f64) -> Value {
     )
 }
 
-/// A job for a control, which writes where that can.
+/// A job for a control, with a write if it supports one.
 fn writing(cycle: &str, post: &str) -> Value {
     let job = with(&default_job(cycle).unwrap(), "control.post", text(post));
     let takes = POSTS
@@ -51,7 +51,7 @@ fn lines_of_moves(plan: &Plan) -> Vec<String> {
         .collect()
 }
 
-/// Read back, each program is the path of the job, so much higher, without a touch and without a write; a touch keeps its feed.
+/// Read back, each program is the path of the job, raised, without a touch or a write; a touch keeps its feed.
 #[test]
 fn every_cycle_has_a_dry_run_on_every_control_that_takes_moves() {
     let mut seen = 0;
@@ -99,7 +99,7 @@ fn every_cycle_has_a_dry_run_on_every_control_that_takes_moves() {
     assert!(seen > 100, "{seen}");
 }
 
-/// Whatever can be measured can be run dry.
+/// Every job that can be measured can be run dry.
 #[test]
 fn every_job_of_moves_has_a_dry_run() {
     law(300, 30, (whole_job(), 0.0..200.0f64), |(job, lift)| {
@@ -118,7 +118,7 @@ fn every_job_of_moves_has_a_dry_run() {
     });
 }
 
-/// LinuxCNC's interpreter ends each probing move at its target: there the program comes to its end, each touch at its nominal contact, 40 mm higher.
+/// LinuxCNC's interpreter ends each probing move at its target: the program ends, each touch at its nominal contact, 40 mm higher.
 #[test]
 fn linuxcnc_runs_it_without_a_part() {
     for cycle in [
@@ -149,7 +149,7 @@ fn linuxcnc_runs_it_without_a_part() {
                 "{cycle} {touch:?}"
             );
         }
-        // A contact, put in by hand at each check.
+        // A contact, inserted at each check.
         for (at, _) in plan.program.text.match_indices("if [#5070 NE 0]") {
             let met = format!(
                 "{}if [1 EQ 1]{}",
@@ -205,7 +205,7 @@ fn the_other_controls_run_it_without_a_part_and_stop_at_a_contact() {
     }
 }
 
-/// A set-up whose cycles follow results: nothing is measured, so every place is the nominal one.
+/// A set-up whose cycles follow results: nothing is measured, so every position is nominal.
 #[test]
 fn a_set_up_runs_dry_at_its_nominal_places() {
     for post in of_moves() {

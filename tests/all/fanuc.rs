@@ -1,12 +1,12 @@
-//! Programs for Fanuc and Haas, run on a control of our own (`common/fanuc.rs`): on the virtual part, with contacts where none may be, without
-//! those that must be, and in states in which nothing may move.
+//! Programs for Fanuc and Haas, run on a simulated control (`common/fanuc.rs`): on the virtual part, with unexpected contacts, with missing ones, and in states
+//! in which nothing may move.
 
 use crate::common::fanuc::Control;
 use crate::common::{number, with};
 use touchpath::form::Value;
 use touchpath::job::Plan;
 
-/// Every job of the repository that they take.
+/// Every job of the repository that they support.
 fn plans() -> Vec<(String, Value, Plan)> {
     let put = |job: &Value, post: &str, offset: f64| {
         let job = with(
@@ -29,7 +29,7 @@ fn plans() -> Vec<(String, Value, Plan)> {
         .iter()
         .find(|(name, _)| name == "circles-seed")
         .unwrap();
-    // Its work offset is selected, and nothing of it is written.
+    // Its work offset is selected and not written.
     let measures_only = with(
         &with(seed, "cycle.transferPosition", number(0.0)),
         "cycle.confirmRotation",
@@ -67,7 +67,7 @@ fn control(job: &Value, plan: &Plan) -> Control {
     control
 }
 
-/// Where a job says that the stylus is: in the header.
+/// Start position of the stylus in the header.
 fn stated_start(plan: &Plan) -> Option<[f64; 3]> {
     let text = plan.program.text.replace(")\n(", " ");
     let (_, rest) = text.split_once("THE STYLUS IS TAKEN TO BE AT ")?;
@@ -77,7 +77,7 @@ fn stated_start(plan: &Plan) -> Option<[f64; 3]> {
     Some([words.next()?, words.next()?, words.next()?])
 }
 
-/// By the tables of both controls: G56 of a Fanuc is #5261, G154 P3 of a Haas #14041.
+/// From the tables of both controls: G56 of a Fanuc is #5261, G154 P3 of a Haas #14041.
 fn origin(offset: i64) -> i64 {
     if offset == 3 { 5261 } else { 14_041 }
 }
@@ -102,7 +102,7 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
                 .run(&plan.program.text)
                 .unwrap_or_else(|e| panic!("{name}: {e}\n{}", plan.program.text));
             assert_eq!(control.alarm, None, "{name}\n{}", plan.program.text);
-            // M30 may clear what was measured: the program waits before it, so that the results are read.
+            // M30 may clear the results: the program waits before it, so that they can be read.
             let waits = !plan.touches.is_empty();
             assert_eq!(control.stops, usize::from(waits), "{name}");
             waited_selected += usize::from(waits && !name.ends_with(" 0"));
@@ -133,7 +133,7 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
                 compared += 1;
                 deviating += usize::from(row.deviation.is_some_and(|d| d.abs() > 0.01));
             }
-            // The origin moves by what was measured less what is nominal, each axis once.
+            // The origin moves by the measured minus the nominal value, once per axis.
             let offset = match job.get("control").and_then(|c| c.get("workOffset")) {
                 Some(Value::Number(n)) => *n as i64,
                 _ => {
@@ -170,8 +170,8 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
     );
 }
 
-/// Whatever move is stopped by a contact: the alarm comes, #149 says the move, nothing is written, and the ball goes nowhere but up, and never
-/// on against what it met on the way up.
+/// For any move that a contact stops: the alarm is raised, #149 has the move, nothing is written, and the ball moves only up, and not after a contact in an
+/// upward move.
 #[test]
 fn a_contact_ends_the_program_and_names_the_move() {
     let mut lifted = 0;
@@ -218,7 +218,7 @@ fn a_contact_ends_the_program_and_names_the_move() {
     assert!(lifted > 100, "{lifted}");
 }
 
-/// A probe that signals as a touch sets out, for nothing or since it has not settled, would have its start taken for the wall.
+/// A probe that signals at the start of a touch, falsely or because it has not settled, would take its start for the wall.
 #[test]
 fn a_signal_at_the_start_of_a_touch_is_no_wall() {
     let mut seen = 0;
@@ -251,7 +251,7 @@ fn a_signal_at_the_start_of_a_touch_is_no_wall() {
     assert!(seen > 100, "{seen}");
 }
 
-/// A touch that meets nothing ends the program; on a Fanuc the ball lifts first.
+/// A missed touch ends the program; on a Fanuc the ball retracts first.
 #[test]
 fn a_missed_touch_writes_nothing() {
     for (name, job, plan) in plans()
@@ -322,7 +322,7 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
             control
                 .run(&plan.program.text)
                 .unwrap_or_else(|e| panic!("{name}: {e}"));
-            // Each cause has an alarm of its own.
+            // Each cause has its own alarm.
             let number = match (code, value) {
                 (4006, _) => "11 SET THE UNITS TO",
                 (4008, _) => "12 G43 IS NOT ACTIVE",
@@ -359,7 +359,7 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
                 "{name}"
             );
         }
-        // A stylus that is not where the job says.
+        // A stylus that is not at the job's start.
         if stated_start(&plan).is_some() {
             let mut control = control(&job, &plan);
             control.at[2] -= 20.0;
@@ -373,14 +373,14 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     }
 }
 
-/// The plans that move, and do not say where the stylus is before.
+/// Plans with moves that do not state the position of the stylus before them.
 fn from_anywhere() -> impl Iterator<Item = (String, Value, Plan)> {
     plans()
         .into_iter()
         .filter(|(.., plan)| clean(plan) && !plan.moves.is_empty() && stated_start(plan).is_none())
 }
 
-/// A stylus below the first place does not move; from above it keeps its height in the plane, and then goes down.
+/// A stylus below the first position does not move; from above it keeps its height in the plane, and then moves down.
 #[test]
 fn the_way_to_the_first_place_is_across_and_down_or_none() {
     let mut seen = 0;
@@ -404,7 +404,7 @@ fn the_way_to_the_first_place_is_across_and_down_or_none() {
             control
                 .run(&plan.program.text)
                 .unwrap_or_else(|e| panic!("{name}: {e}"));
-            // It must be high enough for a control whose coordinates include the length, and for one that leaves it out.
+            // It must be high enough for a control whose coordinates include the length, and for one that excludes it.
             let needed = if included { -length } else { length };
             if above < f64::max(needed, 0.0) {
                 assert_eq!(
@@ -429,7 +429,7 @@ fn the_way_to_the_first_place_is_across_and_down_or_none() {
     assert!(seen > 60, "{seen}");
 }
 
-/// The height of the stylus is not known before the first descent is done: a control that leaves the length out lifted downwards there.
+/// The height of the stylus is unknown before the first descent is done: a control that excludes the length retracted downwards there.
 #[test]
 fn a_contact_in_the_first_descent_stops_where_it_is() {
     let mut seen = 0;
@@ -460,7 +460,7 @@ fn a_contact_in_the_first_descent_stops_where_it_is() {
     assert!(seen > 60, "{seen}");
 }
 
-/// Sums of lengths and heights are rounded, by the control to its own steps too: what ended at the height of its beginning may be run again.
+/// Sums of lengths and heights are rounded, by the control to its increments too: a program can be run again from the height at which it ended.
 #[test]
 fn a_program_that_ended_may_be_run_again() {
     let job = touchpath::job::default_job("double-wall-internal-corner").unwrap();
@@ -480,7 +480,7 @@ fn a_program_that_ended_may_be_run_again() {
     }
 }
 
-/// The manual of a Haas asks for G31 below 2500 mm/min, 100 inch/min.
+/// The manual of a Haas requires G31 below 2500 mm/min, 100 inch/min.
 #[test]
 fn a_haas_probes_below_the_limit_of_its_manual() {
     let job = |units: &str, approach: Value| {
@@ -520,7 +520,7 @@ fn a_haas_probes_below_the_limit_of_its_manual() {
     }
 }
 
-/// A program becomes the job again, though all of its header is in capitals.
+/// A program becomes the job again, although its header is in capitals.
 #[test]
 fn a_program_is_read_back_as_its_job() {
     for (name, job, plan) in plans() {
@@ -632,7 +632,7 @@ fn what_these_controls_cannot_do_is_refused() {
     );
 }
 
-/// The control shows 26 characters of an alarm, and has neither braces nor brackets of that kind: of every job and control, also in comments.
+/// The control shows 26 characters of an alarm and has no braces or brackets: checked for every job and control, also in comments.
 #[test]
 fn alarms_are_short_and_signs_are_the_controls() {
     let mut alarms = 0;

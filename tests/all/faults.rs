@@ -1,4 +1,4 @@
-//! Faults that were once put in on purpose and that no test saw. Each has one now.
+//! Faults that no test found when they were inserted. Each has a test now.
 
 use crate::common::import;
 use crate::common::{interpret, interpret_from, job, number, planned, point, with};
@@ -26,7 +26,7 @@ fn words(line: &str) -> Vec<(char, f64)> {
         .collect()
 }
 
-/// With other rotations in G54 and in the offset that is written, the one of that offset is turned on.
+/// With different rotations in G54 and in the written offset, the rotation of the written one is corrected.
 #[test]
 fn the_rotation_of_the_offset_that_is_written_counts() {
     let job = job(
@@ -81,7 +81,7 @@ fn measured_text_is_in_the_jobs_units() {
         .value
         .unwrap();
     assert!((width * 25.4 - 80.0).abs() < 1e-9, "{width}");
-    // In the forms of objects, small letters and capitals.
+    // In the notation of objects, small letters and capitals.
     for keys in [["x", "y", "z"], ["X", "Y", "Z"]] {
         let objects = list
             .iter()
@@ -176,7 +176,7 @@ fn arcs(extra: &str) -> Value {
     ))
 }
 
-/// Without FMAX an arc is cut at F, the feed of the touches; its time counts at that feed, over its length.
+/// Without FMAX an arc runs at F, the feed of the touches; its time counts at that feed, over its length.
 #[test]
 fn arcs_run_at_the_feed_of_the_touches() {
     for post in ["linuxcnc", "grbl"] {
@@ -200,7 +200,7 @@ fn arcs_run_at_the_feed_of_the_touches() {
             count += 1;
         }
         assert_eq!(count, 6);
-        // By hand: every way at its feed, rapids at 5000, quarter circles at 300.
+        // By hand: every move at its feed, rapids at 5000, quarter circles at 300.
         let (mut length, mut time, mut at) = (0.0, 0.0, [0.0, 0.0, 100.0]);
         for step in &plan.moves {
             let straight = (0..3)
@@ -244,7 +244,7 @@ fn arcs_run_at_the_feed_of_the_touches() {
     );
 }
 
-/// Three touches a point, each somewhere else: the program computes with their mean.
+/// Three touches per point, each at another position: the program computes with their mean.
 #[test]
 fn the_mean_of_three_touches_is_a_third_of_their_sum() {
     for points in [2, 3, 4] {
@@ -269,7 +269,7 @@ fn the_mean_of_three_touches_is_a_third_of_their_sum() {
             measured.push(p);
         }
         let ran = interpret_from(&(lines.join("\n") + "\n"), &job).unwrap();
-        // By hand: each point is the mean of its touches; of four points of a circle the diameter is that of opposite ones.
+        // By hand: each point is the mean of its touches; for four points of a circle the diameter is the distance of opposite ones.
         let mean = |k: usize| {
             let own = &measured[k * points..(k + 1) * points];
             [0, 1].map(|i| own.iter().map(|p| p[i]).sum::<f64>() / points as f64)
@@ -304,7 +304,7 @@ fn the_mean_of_three_touches_is_a_third_of_their_sum() {
     }
 }
 
-/// A pocket of 80 by 50 that is turned by 45°: on its way along X the ball meets a wall of the other pair, 22·√2 from the centre.
+/// A pocket of 80 by 50, rotated by 45°: along X the ball touches a wall of the other pair, 22·√2 from the centre.
 #[test]
 fn a_touch_that_meets_another_wall_is_reported() {
     let pocket = |turn: f64| {
@@ -333,8 +333,7 @@ fn a_touch_that_meets_another_wall_is_reported() {
     assert!(!codes(&pocket(5.0)).contains(&"wrong-wall".to_owned()));
 }
 
-/// The first touch has its foot on its wall, yet the ball is at the other wall before it: 14.2 + 12·cos 160° = 2.92 is
-/// less than the radius of 3.
+/// The first touch projects onto its wall, yet the ball reaches the other wall before it: 14.2 + 12·cos 160° = 2.92 is less than the radius of 3.
 #[test]
 fn the_ball_meets_the_corners_other_wall_first() {
     let corner = |kind: &str, clearance: f64| {
@@ -403,7 +402,7 @@ fn the_safe_range_of_cycle977_is_no_longer_than_its_path() {
     }
 }
 
-/// The part lies so low that the ball meets the rim of its hole, 1 below the ball centre, and not the wall.
+/// The part is so low that the ball touches the rim of its hole, 1 below the ball centre, instead of the wall.
 #[test]
 fn the_rim_of_a_hole_is_not_its_wall() {
     let hole = |z: f64| {
@@ -447,7 +446,7 @@ fn a_dump_that_fits_two_planes_says_so() {
             .find(|f| f.code == "plane-unknown")
             .map(|f| f.message)
     };
-    // A side surface is one in each plane whose tool axis it does not face.
+    // A side surface exists in each plane whose tool axis it does not face.
     let message = planes("surface", [1.0, 0.0, 0.0]).expect("X lies in G17, G18 and G19");
     assert!(
         message.contains("G17") && message.contains("G18"),
@@ -480,7 +479,7 @@ fn typographic_minus_signs_are_minus_signs() {
     }
 }
 
-/// The second pair of walls has a clearance of its own.
+/// The second pair of walls has its own clearance.
 #[test]
 fn each_pair_has_its_clearance() {
     for (kind, inside) in [
@@ -541,7 +540,7 @@ fn every_work_offset_has_its_word() {
     }
 }
 
-/// The way back from a touch can run into the part: here it is led through the opposite wall.
+/// The retract from a touch can collide: here it leads through the opposite wall.
 #[test]
 fn a_way_back_that_meets_the_part_is_a_collision() {
     let job = job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected" } }"#);
@@ -556,14 +555,14 @@ fn a_way_back_that_meets_the_part_is_a_collision() {
         .iter()
         .position(|step| matches!(step.purpose, touchpath::path::MovePurpose::Retract(0)))
         .unwrap();
-    // The walls are 40 mm from the middle: a ball of 6 mm meets the far one with its centre at −37.
+    // The walls are 40 mm from the centre: a ball of 6 mm touches the far one with its centre at −37.
     path.moves[back].to.x = -60.0;
     let (index, center) = run(&path).expect("the ball meets the far wall");
     assert_eq!(index, back);
     assert!((center.x + 37.0).abs() < 1e-6, "{center}");
 }
 
-/// How much the virtual part differs is a length like any other.
+/// Size deviations of the virtual part are converted like any length.
 #[test]
 fn sizes_of_the_virtual_part_are_converted_with_the_units() {
     let job = with(
@@ -585,7 +584,8 @@ fn sizes_of_the_virtual_part_are_converted_with_the_units() {
     );
 }
 
-/// The object of 1411 is taken to go up half-way to where the ball is free: touched at −10, with a ball of 6 mm free above 100 − 3 = 97, to 43.5.
+/// The object of 1411 is assumed to reach half-way to the height at which the ball is free: touched at −10, with a ball of 6 mm free above 100 − 3 = 97, to
+/// 43.5.
 #[test]
 fn an_object_of_1411_is_higher_than_its_touches() {
     let planned = touchpath::job::planned(&default_job("probing-two-circles").unwrap()).unwrap();
@@ -598,7 +598,7 @@ fn an_object_of_1411_is_higher_than_its_touches() {
     assert_eq!(planned.path.surfaces.len(), 2);
 }
 
-/// A nominal place left of the origin is taken off with its own sign: −50 is asked as `#…-[-50.]`.
+/// A nominal position left of the origin is subtracted with its sign: −50 is compared as `#…-[-50.]`.
 #[test]
 fn a_negative_nominal_place_is_asked_with_its_sign() {
     for post in ["fanuc", "haas"] {
@@ -630,7 +630,7 @@ fn a_negative_nominal_place_is_asked_with_its_sign() {
     }
 }
 
-/// Five digits in front of the point and three behind it, or four and four: what the controls themselves show.
+/// Five digits before the point and three after it, or four and four: as the controls display.
 #[test]
 fn a_log_has_the_decimals_of_its_unit() {
     for (units, digits) in [("mm", "[53]]"), ("inch", "[44]]")] {
@@ -651,7 +651,7 @@ fn a_log_has_the_decimals_of_its_unit() {
     }
 }
 
-/// 20 +0.9 −0.1: the middle is 20.4, and the nominal diameter is 0.4 off that. With 0.3 for sizes, 19.7 to 21.1 are plausible.
+/// 20 +0.9 −0.1: the middle is 20.4, and the nominal diameter deviates by 0.4. With 0.3 for sizes, 19.7 to 21.1 are plausible.
 #[test]
 fn the_nominal_part_is_plausible_whatever_the_middle_of_its_zone() {
     for (diameter, implausible) in [
@@ -674,7 +674,7 @@ fn the_nominal_part_is_plausible_whatever_the_middle_of_its_zone() {
     }
 }
 
-/// A part that is turned by more than the limit of angles stops the program, though its own angle is right.
+/// A part that is rotated by more than the limit of angles stops the program, although its own angle is correct.
 #[test]
 fn a_direction_has_the_limit_of_angles() {
     for (rotation, implausible) in [(0.9, false), (1.1, true), (-1.1, true)] {
@@ -691,7 +691,7 @@ fn a_direction_has_the_limit_of_angles() {
     }
 }
 
-/// Reports of grbl for walls at the positions of the virtual part, and the first one `chip` mm nearer to −X; G54 is X−200 Y−150 Z−60.
+/// Reports of grbl for walls of the virtual part, with the first one `chip` mm nearer to −X; G54 is X−200 Y−150 Z−60.
 fn grbl_log(job: &Value, chip: f64) -> String {
     let touches = planned(job).triggers.into_iter().flatten().enumerate();
     let line = |(i, [x, y, z]): (usize, [f64; 3])| {
@@ -708,7 +708,7 @@ fn grbl_log(job: &Value, chip: f64) -> String {
     )
 }
 
-/// The codes of what is said of a log, and whether there is a block to type.
+/// Codes of the findings about a log, and whether there is a block to type.
 fn said_of(job: &Value, log: &str) -> (Vec<String>, bool) {
     let found = touchpath::job::measure(job, &text(log)).unwrap();
     (
@@ -717,7 +717,7 @@ fn said_of(job: &Value, log: &str) -> (Vec<String>, bool) {
     )
 }
 
-/// A 4 mm chip on a wall makes a width of 76 for 80: such a place is not typed into a work offset.
+/// A 4 mm chip on a wall makes a width of 76 for 80: such a position is not typed into a work offset.
 #[test]
 fn an_implausible_measurement_has_no_block() {
     let pocket = job(
@@ -736,7 +736,7 @@ fn an_implausible_measurement_has_no_block() {
     );
 }
 
-/// grbl has no rotation: a corner that is turned is right at one place only, and that is said.
+/// grbl has no rotation: the offset of a rotated corner is correct at one position only, which is reported.
 #[test]
 fn a_rotation_that_is_not_typed_is_mentioned() {
     let corner = job(

@@ -37,7 +37,7 @@ fn keep(path: &str, text: &str) {
     );
 }
 
-/// What `touchpath explain` knows: of each finding its meaning, of each rule what it asks and why.
+/// Contents of `touchpath explain`: the meaning of each finding, the requirement and reason of each rule.
 fn codes_of_the_command() -> String {
     let quoted = |text: &str| serde_json::to_string(text).unwrap();
     let key = |name: &str| {
@@ -65,8 +65,7 @@ fn codes_of_the_command() -> String {
     text + "};\n"
 }
 
-/// The table of calls, set by set.
-/// What a control takes for an argument, where that is known.
+/// The table of calls, set by set. Accepted values of an argument, if known.
 fn taken(argument: &Argument) -> String {
     argument
         .range_words()
@@ -201,7 +200,7 @@ fn range(field: &Field) -> String {
     }
 }
 
-/// The default job, seen isometrically: the same scene as on the page, with numbers on the touches.
+/// The default job in the isometric view: the same scene as on the page, with numbers on the touches.
 fn picture(def: &CycleDef) -> Option<String> {
     let planned = planned(&default_job(def.key).unwrap()).unwrap();
     if planned.path.moves.is_empty() {
@@ -217,7 +216,7 @@ fn picture(def: &CycleDef) -> Option<String> {
     Some(svg(&picture.scene, &legend))
 }
 
-/// The set-ups of `examples/set-ups`, as `docs/set-ups.md` shows them: on the nominal part.
+/// The set-ups of `examples/set-ups` as in `docs/set-ups.md`: on the nominal part.
 fn set_up_pictures() -> Vec<(&'static str, String)> {
     let examples = [
         (
@@ -256,7 +255,7 @@ fn set_up_pictures() -> Vec<(&'static str, String)> {
     examples.into_iter().map(picture).collect()
 }
 
-/// The codes of the fields that begin so: a point's axes have one each.
+/// Codes of the fields with this prefix: the axes of a point have one each.
 fn codes_of(rows: &[ParameterRow], field: &str) -> String {
     let axes = rows
         .iter()
@@ -304,7 +303,7 @@ fn manual(def: &CycleDef) -> String {
         .chain(sections)
     {
         let of_axes = codes_of(&rows, &format!("cycle.{key}["));
-        // What has no code of the source is our own way to say where the touches are.
+        // A field without a code of the source is our own way to place the touches.
         let code = if field.code.is_empty() && def.number.is_some() {
             "ours".to_owned()
         } else if !of_axes.is_empty() {
@@ -337,14 +336,14 @@ fn manual(def: &CycleDef) -> String {
         .into_iter()
         .map(|row| (row, String::new()))
         .collect();
-    // What only a form inside the form brings.
+    // Fields of a form inside the form.
     for section in def.sections.iter().filter(|section| section.optional) {
         let own = with(
             &default_job(def.key).unwrap(),
             &format!("cycle.{}", section.key),
             Value::Map(Vec::new()),
         );
-        // What a native cycle does not take, a program of moves does.
+        // If a native cycle does not support it, a program of moves does.
         let moves = with(
             &own,
             "control",
@@ -455,7 +454,7 @@ fn the_public_names_of_the_crate_change_in_sight() {
 
 #[test]
 fn every_code_of_a_finding_is_listed() {
-    // A code that nothing reports any more would stay in the list.
+    // A code that nothing reports must not stay in the list.
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut sources = String::new();
     let mut folders = vec![src.clone()];
@@ -473,7 +472,7 @@ fn every_code_of_a_finding_is_listed() {
         codes below are stable; the message says the numbers, and the path where in the job.\n\n| code | meaning |\n|---|---|\n"
         .to_owned();
     assert!(CODES.is_sorted_by_key(|(code, _)| *code));
-    // Some are reported by the package itself, by the element, and by the command.
+    // Some are reported by the package, the element or the command.
     let mut reporting = sources.clone();
     for file in [
         "www/core/api.ts",

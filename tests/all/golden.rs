@@ -17,7 +17,7 @@ use similar::{ChangeTag, TextDiff};
 use touchpath::control::{POSTS, PostDef, ProgramForm};
 use touchpath::form::{Finding, Value};
 
-/// Controls whose programs are nearly those of another one, and this one: by key and form.
+/// Controls whose programs are nearly those of another control: key and form of both.
 const KIN: [(&str, &str); 7] = [
     ("grblhal", "grbl"),
     ("fluidnc", "grblhal"),
@@ -28,7 +28,7 @@ const KIN: [(&str, &str); 7] = [
     ("okuma-cycle", "fanuc-cycle"),
 ];
 
-/// The control whose programs are listed beside the path of their job.
+/// The control whose programs are listed with the path of their job.
 const FIRST: &str = "linuxcnc";
 
 fn triple(p: [f64; 3]) -> String {
@@ -46,7 +46,7 @@ fn listed(findings: &[Finding]) -> String {
     lines.collect()
 }
 
-/// What a control makes of a job: its program with what is said of it, or why it refuses.
+/// Output of a control for a job: its program with the findings, or the reason of its refusal.
 type Made = Result<String, String>;
 
 /// Path, table, results and findings of a job.
@@ -106,7 +106,7 @@ fn path_of(job: &Value) -> String {
     text + &listed(&plan.findings)
 }
 
-/// The job for another control, in this form; its work offset where it has one.
+/// The job for another control, in this form; with its work offset if that exists there.
 fn put_out_for(job: &Value, post: &PostDef, form: ProgramForm) -> Value {
     let mut job = crate::common::with(job, "control.post", Value::Text(post.key.to_owned()));
     job = crate::common::with(&job, "control.form", Value::Text(form.word().to_owned()));
@@ -116,7 +116,7 @@ fn put_out_for(job: &Value, post: &PostDef, form: ProgramForm) -> Value {
     job
 }
 
-/// The form of a control that takes this cycle: moves where it has them.
+/// The form in which a control supports this cycle: moves if possible.
 fn served(job: &Value, post: &PostDef) -> ProgramForm {
     let cycle = job.get("cycle").and_then(|c| c.get("type"));
     let def = touchpath::cycle::CYCLES
@@ -129,7 +129,7 @@ fn served(job: &Value, post: &PostDef) -> ProgramForm {
         .unwrap_or(ProgramForm::Moves)
 }
 
-/// A program of moves, with what its proof and the rules that do not hold say.
+/// A program of moves, with its proof and the rules that do not hold.
 fn of_moves(job: &Value, post: &PostDef) -> Made {
     let plan = touchpath::job::plan(&put_out_for(job, post, served(job, post)))
         .map_err(|error| listed(&error.findings))?;
@@ -143,7 +143,7 @@ fn of_moves(job: &Value, post: &PostDef) -> Made {
     ))
 }
 
-/// A program of native cycles, with the moves that they make and what is said of it.
+/// A program of native cycles, with their moves and the findings.
 fn of_cycles(job: &Value, post: &PostDef) -> Made {
     let plan = touchpath::job::plan(&put_out_for(job, post, ProgramForm::Cycle))
         .map_err(|error| listed(&error.findings))?;
@@ -159,7 +159,7 @@ fn of_cycles(job: &Value, post: &PostDef) -> Made {
     ))
 }
 
-/// Without what is of every program of the control: our version, the job's values, the numbers of Klartext's blocks.
+/// Without the parts common to all programs of the control: version, values of the job, numbers of Klartext's blocks.
 fn cut(program: &str) -> String {
     let mut text = String::new();
     let mut values = false;
@@ -176,7 +176,7 @@ fn cut(program: &str) -> String {
     text
 }
 
-/// Without the version, which each release changes.
+/// Without the version, which changes with each release.
 fn unversioned(text: &str) -> String {
     let version = env!("CARGO_PKG_VERSION");
     text.replace(version, "VERSION")
@@ -191,7 +191,7 @@ fn fnv(text: &str) -> String {
     format!("{hash:016x}")
 }
 
-/// With the name of the control taken out.
+/// Without the name of the control.
 fn unnamed(text: &str, post: &PostDef) -> String {
     let names = [
         post.title.to_owned(),
@@ -204,13 +204,13 @@ fn unnamed(text: &str, post: &PostDef) -> String {
     })
 }
 
-/// What each control and form makes of each job.
+/// Output of each control and form for each job.
 fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
     let jobs = crate::common::jobs();
     assert!(jobs.len() >= 10);
     let mut all = BTreeMap::new();
     for post in POSTS {
-        // A control with macros only is listed with the macros.
+        // A control with only macros is listed with the macros.
         if post.own.is_none() || post.read.is_some() {
             let programs = jobs
                 .iter()
@@ -229,7 +229,7 @@ fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
     all
 }
 
-/// What a control's programs say otherwise than those of another one.
+/// Differences between the programs of a control and those of another one.
 fn differences(
     own: &BTreeMap<String, Made>,
     post: &PostDef,
@@ -263,7 +263,7 @@ fn differences(
     }
 }
 
-/// Snapshots, and which there are.
+/// The snapshots and their names.
 #[derive(Default)]
 struct Snapshots(BTreeSet<String>);
 
@@ -289,7 +289,7 @@ fn jobs_and_programs_as_they_were() {
         };
         snapshots.assert("", &name, &format!("{}{program}", path_of(&job)));
     }
-    // The package's tests hold the programs of the module against these.
+    // The package's tests compare the programs of the module with these.
     let hash = |(name, job): (String, Value)| {
         format!(
             "{name} {}\n",
@@ -317,7 +317,7 @@ fn jobs_and_programs_as_they_were() {
         for (name, made) in programs {
             match made {
                 Ok(program) => {
-                    // The first one is whole.
+                    // The first one is complete.
                     let text = if std::mem::take(&mut whole) {
                         program.clone()
                     } else {
@@ -346,7 +346,7 @@ fn jobs_and_programs_as_they_were() {
     );
 }
 
-/// Snapshots of this test that nothing makes any more.
+/// Snapshots of this test that nothing generates.
 fn left_over(made: &BTreeSet<String>) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots");
     let mut left = Vec::new();

@@ -1,4 +1,4 @@
-//! Inertia: what stops too late, and what is not at its feed yet. Numbers by hand: v²/2a + v·t.
+//! Inertia: moves that stop too late or have not reached their feed. Numbers by hand: v²/2a + v·t.
 
 use crate::common::{job, number, planned, values, with};
 use touchpath::control::{POSTS, ProgramForm};
@@ -10,7 +10,7 @@ fn text(word: &str) -> Value {
     Value::Text(word.to_owned())
 }
 
-/// Those of the findings that are about inertia.
+/// Findings about inertia.
 fn found(job: &Value) -> Vec<Finding> {
     check(job)
         .into_iter()
@@ -31,7 +31,7 @@ fn pocket() -> Value {
     )
 }
 
-/// Every cycle on every control that takes it, in mm and in inch, with its default feeds and with every feed left to the control.
+/// Every cycle on every control that supports it, in mm and in inch, with its default feeds and with every feed left to the control.
 #[test]
 fn the_defaults_stop_in_time() {
     let mut asked = 0;
@@ -68,12 +68,11 @@ fn the_defaults_stop_in_time() {
     assert!(asked > 300, "{asked}");
 }
 
-/// 6000 mm/min are 100 mm/s: 100²/1000 + 100·0.005 = 10.5 mm. Within 3 mm stops what has 500·(√(0.005² + 0.012) − 0.005) = 52.33 mm/s,
-/// 3139 mm/min.
+/// 6000 mm/min are 100 mm/s: 100²/1000 + 100·0.005 = 10.5 mm. The stopping distance is 3 mm at 500·(√(0.005² + 0.012) − 0.005) = 52.33 mm/s, 3139 mm/min.
 #[test]
 fn touches_that_stop_too_late_are_refused() {
     let fast = with(&pocket(), "feeds.work", number(6000.0));
-    // And 100²/1000 = 10 mm to get that fast, more than there are.
+    // And 100²/1000 = 10 mm to reach that feed, more than available.
     let [finding, _] = &found(&fast)[..] else {
         panic!("{:?}", codes(&fast))
     };
@@ -130,7 +129,7 @@ fn a_better_machine_is_allowed_more() {
     }
 }
 
-/// 5000 mm/min: 83.33²/1000 + 0.417 = 7.361 mm. One warning a feed, and only where this control watches.
+/// 5000 mm/min: 83.33²/1000 + 0.417 = 7.361 mm. One warning per feed, and only if this control watches.
 #[test]
 fn watched_positioning_that_stops_too_late_is_named() {
     let fast = with(&pocket(), "feeds.approach", number(5000.0));
@@ -170,7 +169,7 @@ fn watched_positioning_that_stops_too_late_is_named() {
             "{post}"
         );
     }
-    // 1411: FMAX; its arcs are watched, too, and the native cycle watches nothing that is known here.
+    // 1411: FMAX; its arcs are watched, too, and whether the native cycle watches is unknown.
     let circles = with(
         &default_job("probing-two-circles").unwrap(),
         "cycle.probe.rapid",
@@ -185,7 +184,7 @@ fn watched_positioning_that_stops_too_late_is_named() {
     assert_eq!(codes(&moves), ["Warning stops-too-late cycle.probe.rapid"]);
 }
 
-/// A native cycle measures at its own feed; its approach is the program's.
+/// A native cycle measures at its own feed; its approach belongs to the program.
 #[test]
 fn a_cycle_of_the_controls_own_has_its_own_feed() {
     let own = with(
@@ -249,7 +248,7 @@ fn a_touch_that_still_accelerates_is_named() {
     assert_eq!(codes(&with(&close, "feeds.work", number(2690.0))).len(), 1);
 }
 
-/// A rapid that is watched runs at a feed from which the default machine stops, and the time counts that feed.
+/// A watched rapid runs at a feed from which the default machine stops, and the time counts that feed.
 #[test]
 fn a_watched_rapid_is_slow() {
     let rapid = with(&pocket(), "feeds.longLink", Value::Null);
@@ -268,7 +267,7 @@ fn a_watched_rapid_is_slow() {
             .expect("it is said");
         assert_eq!(values(note), [format!("{feed} mm")], "{post}");
         let stated = planned(&with(&own, "feeds.longLink", number(feed)));
-        // Ways back are not watched: LinuxCNC makes them at its own rapid, which counts as 5000.
+        // Retracts are not watched: LinuxCNC makes them at its own rapid, which counts as 5000.
         if post != "linuxcnc" {
             assert!(
                 (plan.time - stated.time).abs() < 1e-9,

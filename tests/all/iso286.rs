@@ -150,7 +150,7 @@ fn every_class_in_every_band_is_the_tables() {
     assert!(given > 60_000 && refused > 8_000, "{given} {refused}");
 }
 
-/// The values that were wrong.
+/// Values that were wrong.
 #[test]
 fn holes_k_use_the_shafts_rule() {
     let limits = |text: &str| {

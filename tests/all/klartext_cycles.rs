@@ -1,5 +1,5 @@
-//! Programs of HEIDENHAIN's 4xx cycles, judged by a TNC of our own that knows each cycle from its description and shares nothing with the crate: it reads the
-//! blocks of the program, and says where the ball's centre is at each contact.
+//! Programs of HEIDENHAIN's 4xx cycles, judged by a simulated TNC that implements each cycle from its description and shares no code with the crate: it reads
+//! the blocks of the program and computes the ball centre at each contact.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::tests::controls::{calling_macros, calling_macros_as_a_fanuc, without}
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, plan};
 
-/// The blocks of a program: number, and Q parameters in their order.
+/// Blocks of a program: number, and Q parameters in order.
 pub(super) fn blocks(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
     let mut found: Vec<(u32, Vec<(u32, f64)>)> = Vec::new();
     for line in text.lines() {
@@ -30,9 +30,9 @@ pub(super) fn blocks(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
     found
 }
 
-/// Where a touch from a place along a direction is stopped, within so much.
+/// Contact of a touch from a position along a direction, within a search distance.
 pub(super) fn contact(faces: &[Face], from: [f64; 3], along: [f64; 3], far: f64) -> [f64; 3] {
-    // The faces are of a stylus tip along Z; this control's heights are of the ball's centre.
+    // The faces are those of a stylus tip along Z; this control's heights are those of the ball centre.
     let tip = |p: [f64; 3]| [p[0], p[1], p[2] - BALL];
     let to = [0, 1, 2].map(|i| from[i] + along[i] * far);
     let parts = faces
@@ -172,7 +172,7 @@ fn job(cycle: &str, changes: &[(&str, Value)]) -> Value {
     own(cycle, "heidenhain", changes)
 }
 
-/// Where the plan's own run has its contacts, in the order in which they are made.
+/// Contacts of the plan's own run, in order.
 pub(super) fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
     let made = plan
         .moves
@@ -189,7 +189,7 @@ type Case = (
     [u32; 2],
 );
 
-/// Jobs with the faces of their part, by hand, shifted; and the cycle that measures, and the one that writes.
+/// Jobs with the faces of their part, by hand, shifted; with the measuring cycle and the writing one.
 fn cases() -> Vec<Case> {
     let (dx, dy, dz) = (0.4, -0.3, 0.2);
     let hole = vec![Face::Circle([dx, dy], 20.0)];
@@ -331,7 +331,7 @@ fn the_judge_touches_where_the_plan_does() {
                 places.sort_by(|a, b| (a[0] + 7.0 * a[1]).total_cmp(&(b[0] + 7.0 * b[1])));
                 places
             };
-            // Which side of a rectangle comes first is ours.
+            // The first side of a rectangle is our choice.
             let (judged, found) = (
                 sorted(judged(text, &faces, set_up)),
                 sorted(of_plan(&planned)),
@@ -350,7 +350,7 @@ fn the_judge_touches_where_the_plan_does() {
                 .filter(|row| row.truth.is_some() && row.value.is_some())
             {
                 let off = (row.value.unwrap() - row.truth.unwrap()).abs();
-                // A circle that lies off is met beside the direction of the touch.
+                // A displaced circle is touched beside the direction of the touch.
                 let second_order = row.code == "diameter" || row.code.starts_with("center");
                 assert!(
                     off < if second_order { 2e-2 } else { 1e-6 },
@@ -363,8 +363,8 @@ fn the_judge_touches_where_the_plan_does() {
     assert!(touches > 180, "{touches}");
 }
 
-/// Several cycles in one program of a TNC. By hand: the highest cycle begins at 8 + 20, so that each goes to the next one at 28, which is its own clearance
-/// height; what the next cycle overwrites is assigned before it; on a shifted part each touches where it would alone.
+/// Several cycles in one program of a TNC. By hand: the highest cycle begins at 8 + 20, so each moves to the next one at 28, its own clearance height; results
+/// that the next cycle overwrites are saved before it; on a shifted part each touches as it would alone.
 #[test]
 fn several_cycles_keep_their_results_and_cross_at_one_height() {
     let text = |clear: &str| {
@@ -642,7 +642,7 @@ fn each_block_has_its_parameters_in_their_order() {
         text.contains("TCH PROBE 421 MEASURE HOLE ~\n    Q273=+50 ;CENTER IN 1ST AXIS ~\n"),
         "{text}"
     );
-    // A posted program's stud of 100, 12 in front, row 1, over the clearance height: that program's own block, blanks aside.
+    // A posted program's stud of 100, 12 in front, row 1, at the clearance height: that program's block except for blanks.
     let stud = [
         ("cycle.diameter", number(100.0)),
         ("cycle.depth", number(3.0)),
@@ -736,7 +736,7 @@ fn what_no_cycle_does_is_refused() {
     );
 }
 
-/// A limit that is not there asks nothing: both bounds 0, and the program does not stop.
+/// A missing limit checks nothing: both bounds are 0, and the program does not stop.
 #[test]
 fn a_missing_limit_asks_nothing() {
     let given = |cycle: &str, changes: &[(&str, Value)]| -> BTreeMap<u32, f64> {
@@ -749,7 +749,7 @@ fn a_missing_limit_asks_nothing() {
     let of = |all: &BTreeMap<u32, f64>, numbers: &[u32]| {
         numbers.iter().map(|q| all[q]).collect::<Vec<f64>>()
     };
-    // Of the default limits the size has one and the place has none.
+    // Of the default limits the size has one and the position has none.
     assert_eq!(
         of(
             &given("surface", &[("cycle.origin", list([0.0, 0.0, 12.0]))]),
@@ -779,7 +779,7 @@ fn a_missing_limit_asks_nothing() {
     );
 }
 
-/// A call of someone else's program as a job: only what a job would write the same way.
+/// A foreign call as a job: only if the job would write the same call.
 #[test]
 fn a_call_becomes_no_other_write() {
     use touchpath::import::toolpath::{RunInputs, run_program};
@@ -802,7 +802,7 @@ fn a_call_becomes_no_other_write() {
         })
     };
     let klartext = |cycle: &str| format!("BEGIN PGM A MM\nTCH PROBE {cycle}\nEND PGM A MM\n");
-    // The measured place shall read 100: a job would give it the nominal 10.
+    // The measured position must read 100: a job would give it the nominal 10.
     let wall = "419 Q263=+10 Q264=+20 Q261=-5 Q320=+7 Q260=+150 Q272=+1 Q267=+1 Q305=+5 Q303=+1";
     let other = made(&klartext(&format!("{wall} Q333=+100")), [0.0, 0.0, 200.0]);
     assert_eq!(at(&other, "control.workOffset"), Value::Null);
@@ -820,14 +820,14 @@ fn a_call_becomes_no_other_write() {
         at(&made(web, [0.0, 0.0, 50.0]), "cycle.origin"),
         list([10.0, 50.0, 5.0])
     );
-    // Without a centre the control takes it for 0, 0.
+    // Without a centre the control assumes 0, 0.
     let hole = "G71 G90\nG0 X100 Y50 Z-5\nCYCLE977(101,10001,,1,32,,,7,5,0,1,1,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";
     assert_eq!(
         at(&made(hole, [0.0, 0.0, 50.0]), "control.workOffset"),
         Value::Null
     );
-    // Heights of calls are the stylus tip's: written again they are the same.
-    // By G65 P98xx nobody can tell which control it is of: such a call becomes moves of a Fanuc.
+    // Heights of calls are those of the stylus tip: written again they are the same. G65 P98xx does not identify the control: such a call becomes moves of a
+    // Fanuc.
     for post in without(&calling_macros(), &calling_macros_as_a_fanuc()) {
         let web = own(
             "web",
@@ -848,7 +848,7 @@ fn a_call_becomes_no_other_write() {
     }
 }
 
-/// An edited program is the header's job, and what differs is said.
+/// An edited program is the header's job, and the difference is reported.
 #[test]
 fn an_edited_program_says_what_differs() {
     let text = plan(&job("boss", &[])).unwrap().program.text;
@@ -863,7 +863,7 @@ fn an_edited_program_says_what_differs() {
     assert_eq!(plan(&back.job).unwrap().program.text, text);
 }
 
-/// Where the control has what it found.
+/// Variables in which the control stores its results.
 #[test]
 fn results_have_the_controls_own_names() {
     let names = |cycle: &str, offset: Value| -> Vec<(String, Option<String>)> {
@@ -887,14 +887,14 @@ fn results_have_the_controls_own_names() {
         names("groove", Value::Null),
         [row("center.x", "Q157"), row("width", "Q156")]
     );
-    // No source says where 408 leaves it.
+    // No source documents the variable of 408.
     assert_eq!(
         names("groove", number(1.0)),
         [("center.x".to_owned(), None), ("width".to_owned(), None)]
     );
 }
 
-/// Every program comes back as its job; without its header its blocks do, as far as they say it, and a run makes the plan's contacts.
+/// Every program is read back as its job; without its header its blocks give the job as far as they specify it, and a run makes the plan's contacts.
 #[test]
 fn a_program_comes_back_as_its_job() {
     use touchpath::import::toolpath::{Feature, RunInputs, run_program};
@@ -964,7 +964,7 @@ fn a_program_comes_back_as_its_job() {
     }
 }
 
-/// A rectangle whose first side lies along Y: its results are in the order of the job, and what keeps them, too.
+/// A rectangle whose first side is along Y: its results, and the variables that store them, are in the order of the job.
 #[test]
 fn results_of_a_turned_rectangle_keep_their_order() {
     let turned = [("cycle.rotation", number(90.0))];
@@ -1000,7 +1000,7 @@ fn the_log_of_a_measuring_cycle_is_the_one_that_was_chosen() {
 }
 
 /// A call in inch is a job in inch. By hand: the ball of 6 mm has a radius of 3 / 25.4 = 0.11811 inch, Q counts from the contact of its centre, and the hole is
-/// 10 mm = 0.393701 inch deep below the ball's centre.
+/// 10 mm = 0.393701 inch deep below the ball centre.
 #[test]
 fn a_call_in_inch_becomes_a_job_in_inch() {
     use touchpath::import::toolpath::{RunInputs, run_program};
@@ -1027,7 +1027,7 @@ fn a_call_in_inch_becomes_a_job_in_inch() {
     near("overtravel", 0.2 + 3.0 / 25.4);
 }
 
-/// A cosine that is 1 within a millionth is a turn of 0.08°: over 100 mm a wall lies 0.09 mm beside where such a call would touch it.
+/// A cosine of 1 within a millionth is a rotation of 0.08°: over 100 mm such a call would touch the wall 0.09 mm beside its position.
 #[test]
 fn a_turn_of_a_twentieth_of_a_degree_is_a_turn() {
     for (cycle, post) in [

@@ -1,4 +1,4 @@
-//! What must hold for every form, not only for the golden ones.
+//! Properties of every form, not only of the golden ones.
 
 use crate::common::law;
 use crate::common::owed::{circles, distance, sane};
@@ -9,7 +9,7 @@ use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::form::{Default, Field, Kind, Level, Value};
 use touchpath::job::{Plan, check, default_job, plan};
 
-/// Any value a field allows, or, now and then, one that it does not.
+/// Any value that a field allows or, now and then, one that it does not allow.
 fn field_value(field: &Field) -> BoxedStrategy<Value> {
     let (low, high) = field
         .usual
@@ -72,7 +72,7 @@ fn form(fields: &'static [Field]) -> BoxedStrategy<Vec<(String, Value)>> {
         .boxed()
 }
 
-/// A whole job of a cycle: every field of the cycle at random, every other field too. The control's form stays `moves`.
+/// A whole job of a cycle with every field at random. The control's form stays `moves`.
 pub fn whole_job() -> impl Strategy<Value = Value> {
     (0..CYCLES.len()).prop_flat_map(|i| {
         let def: &'static CycleDef = CYCLES[i];
@@ -86,9 +86,9 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
             Value::Map(fields)
         });
         let sections: Vec<_> = touchpath::job::SECTIONS.iter().filter(|section| !section.optional).map(|section| (Just(section.key), form(section.fields))).collect();
-        // A part that lies off by what a setter would call off; half the jobs have the nominal one.
+        // A displaced part as a setter might have it; half the jobs have the nominal one.
         let lie = (proptest::array::uniform3(-1.0..1.0), -1.0..1.0f64, any::<bool>());
-        // Of any size, a stylus meets most parts: mostly it is not known.
+        // A stylus of any size would collide in most jobs, so it is mostly unknown.
         let shaped = proptest::bool::weighted(0.2);
         (cycle, sections, lie, shaped).prop_map(|(cycle, sections, (offset, rotation, nominal), shaped)| {
             let mut job = vec![("format".to_owned(), number(1.0)), ("cycle".to_owned(), cycle)];
@@ -111,7 +111,7 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
                 }
             }
             let mut job = Value::Map(job);
-            // The laws are of plain moves, and of 1411 on the control whose cycle it is.
+            // The laws are about plain moves, and 1411 on its own control.
             let takes = |key: &str| key == "heidenhain" || crate::tests::controls::of_moves().contains(&key);
             if !matches!(job.get("control").and_then(|c| c.get("post")), Some(Value::Text(key)) if takes(key)) {
                 job = with(&job, "control.post", Value::Text("linuxcnc".to_owned()));
@@ -123,14 +123,14 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
             }
             let form = if klartext && def.default_control.0 == "heidenhain" { "cycle" } else { "moves" };
             job = with(&job, "control.form", Value::Text(form.to_owned()));
-            // A dry run has a law of its own.
+            // A dry run has its own law.
             job = with(&job, "control.run", Value::Text("normal".to_owned()));
             if form == "cycle" { with(&job, "control.workOffset", Value::Null) } else { job }
         })
     })
 }
 
-/// Anything at all that could be handed over as a job.
+/// Any value that could be passed as a job.
 fn anything() -> impl Strategy<Value = Value> {
     let leaf = prop_oneof![
         Just(Value::Null),
@@ -162,7 +162,7 @@ fn errors(job: &Value) -> usize {
         .count()
 }
 
-/// The laws say something only if enough forms have a plan.
+/// The laws are only meaningful if enough forms have a plan.
 #[test]
 fn many_forms_have_a_plan_and_many_have_not() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -173,7 +173,7 @@ fn many_forms_have_a_plan_and_many_have_not() {
     assert!((60..360).contains(&good), "{good} of 400");
 }
 
-/// A form gives either errors or a whole, sane plan, and `check` says which.
+/// A form gives either errors or a whole, sane plan, and `check` agrees.
 #[test]
 fn every_form_gives_errors_or_a_whole_plan() {
     law(600, 150, (whole_job(),), |(job,)| {
@@ -196,7 +196,7 @@ fn every_form_gives_errors_or_a_whole_plan() {
     });
 }
 
-/// Nothing that is handed over can panic, whole or as a part of a good job.
+/// No input causes a panic, whole or as a part of a good job.
 #[test]
 fn nothing_panics() {
     law(600, 600, (anything(), 0usize..160), |(value, which)| {
@@ -243,7 +243,7 @@ fn nothing_panics() {
     });
 }
 
-/// The same part in inch and in mm gives the same geometry, program line for program line.
+/// The same part in inch and in mm gives the same geometry and program lines.
 #[test]
 fn inch_and_mm_are_the_same_part() {
     law(600, 150, (whole_job(),), |(job,)| {
@@ -274,7 +274,7 @@ fn inch_and_mm_are_the_same_part() {
     });
 }
 
-/// Turning the job about the tool axis turns the path and nothing else.
+/// Rotating the job about the tool axis rotates the path and changes nothing else.
 #[test]
 fn a_turned_job_is_a_turned_path() {
     law(1000, 100, (whole_job(), -180.0..180.0f64), |(job, turn)| {
@@ -328,8 +328,8 @@ fn a_turned_job_is_a_turned_path() {
     });
 }
 
-/// On the nominal part every touch triggers at its contact and every result is nominal; a shifted part shifts the
-/// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
+/// On the nominal part every touch triggers at its contact and every result is nominal. A shifted part shifts the results of the corner, which measures its own
+/// angles, exactly, and a rotated one rotates them.
 #[test]
 fn results_follow_the_part() {
     law(
@@ -346,7 +346,7 @@ fn results_follow_the_part() {
                 return Ok(false);
             };
             if circles(&nominal) {
-                // Its deviations count from the middle of tolerances; `circles.rs` follows its part.
+                // Its deviations count from the middle of tolerances; `circles.rs` checks its part.
                 return Ok(false);
             }
             for row in &nominal.results {
@@ -367,7 +367,7 @@ fn results_follow_the_part() {
                 "part.offset",
                 point(offset),
             );
-            // A single pair of walls, or a surface, is read along its target vector only.
+            // A single pair of walls, or a surface, measures only along its target vector.
             let read_along = nominal
                 .results
                 .iter()
@@ -381,7 +381,7 @@ fn results_follow_the_part() {
                     offset[axis]
                 }
             };
-            // A touch that meets another wall, or an edge, is reported, and measures something else.
+            // A touch that contacts another wall or an edge is reported, and measures something else.
             let meant = |plan: &Plan| {
                 !plan
                     .findings
@@ -418,7 +418,7 @@ fn results_follow_the_part() {
             }
             let turned = with(&shifted, "part.rotation", number(turn));
             if let Some(turned) = plan(&turned).ok().filter(meant) {
-                // A corner with its own angles has no error; whatever has one has the exact value beside it.
+                // A corner with its own angles has no error; a result with an error has the true value beside it.
                 let exact = turned
                     .results
                     .iter()
@@ -440,7 +440,7 @@ fn results_follow_the_part() {
     );
 }
 
-/// What was measured is evaluated as what was predicted.
+/// Measured points are evaluated like predicted ones.
 #[test]
 fn measured_triggers_give_the_predicted_results() {
     law(600, 100, (whole_job(),), |(job,)| {
@@ -457,7 +457,7 @@ fn measured_triggers_give_the_predicted_results() {
                 .map(|t| point(t.unwrap()))
                 .collect(),
         );
-        // A part that lies far off can trigger before the approach is done; such points are refused, not evaluated.
+        // A part far off can trigger during the approach; such points are refused, not evaluated.
         let Ok(rows) = touchpath::job::evaluate(&job, &points) else {
             return Ok(false);
         };
@@ -476,7 +476,7 @@ fn measured_triggers_give_the_predicted_results() {
     });
 }
 
-/// The same job with every length and feed in inch.
+/// The job with every length and feed in inch.
 fn in_inch(job: &Value) -> Value {
     let mut inch = with(job, "units", Value::Text("inch".to_owned()));
     let mut convert = |prefix: &str, fields: &[Field]| {

@@ -1,4 +1,4 @@
-//! The house rules of the crate: imports point down, siblings do not know each other, browsers stay at the edge.
+//! Rules for imports in the crate: imports point down, siblings do not import each other, browser APIs stay in `wasm` and `view`.
 
 use std::path::{Path, PathBuf};
 
@@ -57,7 +57,7 @@ fn layer(module: &str) -> usize {
         .unwrap_or_else(|| panic!("{module} has no layer"))
 }
 
-/// The top module that a path leads to, seen from a file: `crate::path`, `super::super::path`; none within the module or outside the crate.
+/// Top module of a path in a file: `crate::path`, `super::super::path`; `None` within the module or outside the crate.
 fn target(file: &str, path: &[String]) -> Option<String> {
     let mut place: Vec<&str> = file.trim_end_matches(".rs").split('/').collect();
     if place.last() == Some(&"mod") {
@@ -96,7 +96,7 @@ fn trees(tree: &syn::UseTree, before: &mut Vec<String>, found: &mut Vec<Vec<Stri
     }
 }
 
-/// Every path that a file imports, also inside its modules and functions; and every path in its code that begins with `crate::`.
+/// Every path that a file imports, also inside its modules and functions, and every path in its code that begins with `crate::`.
 fn imports(text: &str) -> Vec<Vec<String>> {
     fn items(list: &[syn::Item], found: &mut Vec<Vec<String>>) {
         for item in list {
@@ -140,7 +140,7 @@ fn imports_point_down() {
                     .flat_map(|l| l.iter())
                     .any(|known| *known == name)
             {
-                // What is no module of the crate's top can only be an item of it, and there is none.
+                // A path that is no top module of the crate could only be an item of the root, and there is none.
                 assert!(
                     name == module || name.is_empty() || name == "*",
                     "{file} imports {name}, which has no layer"
@@ -198,7 +198,7 @@ fn every_form_of_an_import_is_read() {
     );
 }
 
-/// A control knows what is probed, and no cycle by its name; a cycle knows no control, but for the one that its default job is for.
+/// A control depends on features and on no cycle by name; a cycle depends on no control, except for the control of its default job.
 #[test]
 fn controls_and_cycles_do_not_name_each_other() {
     for (module, file, text) in all() {
@@ -280,7 +280,7 @@ fn the_forms_choices_are_the_registered_posts() {
     assert_eq!(choices, keys);
 }
 
-/// Lines and comments of programs are found in one place. A dump of parameters is no program.
+/// Lines and comments of programs are parsed in one place. A dump of parameters is no program.
 #[test]
 fn one_lexer_reads_programs() {
     const SIGNS: [&str; 6] = [
@@ -312,7 +312,7 @@ fn one_lexer_reads_programs() {
     assert!(seen >= 2, "the one lexer has these signs: {seen}");
 }
 
-/// What reads, follows and judges a program has no code of what writes it: one mistake would hide the other.
+/// Reading, following and judging share no code with writing: one mistake would hide the other.
 #[test]
 fn reading_and_writing_share_no_code() {
     const READING: &[&str] = &[
@@ -340,13 +340,13 @@ fn reading_and_writing_share_no_code() {
     assert!(read >= 15, "{read}");
 }
 
-/// Files that may import each other, and why.
+/// Files that may import each other, with the reason.
 const CIRCLES: &[(&str, &str)] = &[
-    // A kind of value reads itself from a section, which is made of fields.
+    // A kind of value reads itself from a section, which consists of fields.
     ("form::checker", "form::field"),
 ];
 
-/// What a file hands on of the files below it: name, and the file.
+/// Names that a file re-exports from the files below it, with their files.
 fn handed_on(names: &[String], own: &str, text: &str) -> Vec<(String, usize)> {
     let mut found = Vec::new();
     for item in syn::parse_file(text).unwrap().items {
@@ -368,7 +368,7 @@ fn handed_on(names: &[String], own: &str, text: &str) -> Vec<(String, usize)> {
     found
 }
 
-/// Every path that begins with `crate::` in the code itself.
+/// Every path in code that begins with `crate::`.
 fn in_code(text: &str) -> Vec<Vec<String>> {
     let code: String = text
         .lines()
@@ -392,7 +392,7 @@ fn in_code(text: &str) -> Vec<Vec<String>> {
         .collect()
 }
 
-/// Files of a room import each other one way only. What a file states for those below it (`control/mod.rs` for `control/fanuc`) is no circle.
+/// Files of a module import each other in one direction only. Items of a parent for its children (`control/mod.rs` for `control/fanuc`) are no cycle.
 #[test]
 fn files_make_no_circles() {
     let name = |file: &str| {
@@ -407,7 +407,7 @@ fn files_make_no_circles() {
         .zip(&names)
         .map(|((_, _, text), own)| handed_on(&names, own, text))
         .collect();
-    // The file that a path leads to: the longest one that names a module, or what that hands on.
+    // File of a path: the longest one that is a module, or its re-export.
     let file_of = |own: &str, path: &[String]| -> Option<usize> {
         let mut place: Vec<&str> = match path.first()?.as_str() {
             "crate" => Vec::new(),
@@ -436,7 +436,7 @@ fn files_make_no_circles() {
     };
     let mut edges: Vec<Vec<usize>> = Vec::new();
     for ((_, _, text), own) in files.iter().zip(&names) {
-        // What the tests of a file import is no matter of the house.
+        // Imports of a file's tests do not count.
         let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
         let above =
             |target: &usize| format!("{own}::").starts_with(&format!("{}::", names[*target]));

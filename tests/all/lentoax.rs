@@ -1,4 +1,4 @@
-//! LENTOAX: the printed examples, the table of values, and what must hold for every frame.
+//! LENTOAX: the printed examples, the table of values, and properties of every frame.
 
 use proptest::prelude::*;
 use touchpath::form::Value;
@@ -33,7 +33,7 @@ fn asked(change: impl Fn(&mut Query)) -> (i32, [i32; 3]) {
     (status, axind)
 }
 
-/// The manual's standard case, and its case turned by 60°.
+/// The manual's standard case, and its case rotated by 60°.
 #[test]
 fn the_printed_examples() {
     let standard = lentoax(&mill());
@@ -208,7 +208,7 @@ fn words_and_nc_lines() {
     );
 }
 
-/// Whether a control that gives this answer raises the alarm of some lines. It knows their few conditions, and no others.
+/// Whether a control with this answer raises the alarm of some lines. It evaluates only their few conditions.
 fn alarms(lines: &str, answer: &Answer) -> bool {
     let index =
         |text: &str| -> Vec<usize> { text.split(',').map(|n| n.parse().unwrap()).collect() };
@@ -249,7 +249,7 @@ fn alarms(lines: &str, answer: &Answer) -> bool {
         .any(|condition| condition.split(" OR ").any(holds))
 }
 
-/// It asked for L1 along the tool axis, which a turning tool in G17 never has: it raised its alarm on a machine that was right.
+/// The check required L1 along the tool axis, which a turning tool in G17 never has: it raised its alarm on a correct machine.
 #[test]
 fn the_check_at_the_control_alarmed_for_every_turning_tool() {
     let turning = Query {
@@ -322,8 +322,7 @@ fn step() -> impl Strategy<Value = Step> {
     ]
 }
 
-/// 0.0022° beyond a half turn: the cosine is 7.5e-10 short of −1, the sine is 3.9e-5. Rounding the one and not the other made the
-/// rows longer than 1.
+/// 0.0022° beyond a half turn: the cosine is 7.5e-10 short of −1, the sine is 3.9e-5. Rounding only one of them made the rows longer than 1.
 #[test]
 fn a_frame_that_is_all_but_square_keeps_rows_of_length_one() {
     let frame = vec![Step::Rotation {
@@ -371,7 +370,7 @@ proptest! {
         }
         let det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-        // The same tool without a frame says which hand the table has; each mirror that is seen changes it.
+        // The same tool without a frame shows the handedness of the table; each visible mirror changes it.
         let plain = lentoax(&Query { frame: vec![], ..query.clone() }).matrix;
         let hand = plain[0][0] * (plain[1][1] * plain[2][2] - plain[1][2] * plain[2][1])
             - plain[0][1] * (plain[1][0] * plain[2][2] - plain[1][2] * plain[2][0])

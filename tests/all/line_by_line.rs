@@ -404,7 +404,7 @@ fn every_line_moves_as_the_interpreter_moves_it() {
             );
         }
         assert_eq!(found.len(), wanted.len(), "{text}");
-        // Nothing of it is unknown here.
+        // No position is unknown here.
         let odd = path
             .findings
             .iter()

@@ -1,4 +1,4 @@
-//! The tests of the crate, a module a subject: `cargo test --lib safety` runs one of them.
+//! The tests of the crate, one module per subject: `cargo test --lib safety` runs one of them.
 
 mod border;
 mod calls;

@@ -1,5 +1,5 @@
-//! Programs of SINUMERIK's measuring cycles, judged by a control of our own that knows each cycle from its description and shares nothing with the crate, and
-//! by the strings of generators for the control's own editor.
+//! Programs of SINUMERIK's measuring cycles, judged by a simulated control that implements each cycle from its description and shares no code with the crate,
+//! and by calls that generators for the control's editor write.
 
 use super::klartext_cycles::{contact, of_plan};
 use super::own_cycles::{BALL, Face, PLACES, own};
@@ -7,7 +7,7 @@ use crate::common::{number, point as list};
 use touchpath::form::{Level, Value};
 use touchpath::job::plan;
 
-/// The arguments of a call; what is left out is NaN.
+/// Arguments of a call; omitted ones are NaN.
 fn arguments(line: &str) -> Option<(u32, Vec<f64>)> {
     let (number, inner) = line.strip_prefix("CYCLE")?.split_once('(')?;
     let places = inner.strip_suffix(')')?.split(',');
@@ -19,7 +19,7 @@ fn arguments(line: &str) -> Option<(u32, Vec<f64>)> {
     ))
 }
 
-/// The contacts of a program, in the order in which the control makes them.
+/// Contacts of a program, in the order in which the control makes them.
 fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
     let (mut at, mut made) = ([f64::NAN; 3], Vec::new());
     for line in text.lines() {
@@ -220,7 +220,7 @@ fn the_judge_touches_where_the_plan_does() {
     assert!(touches > 180, "{touches}");
 }
 
-/// The two calls that a generator's own documents print: all but the zone, which ours takes from the clearance.
+/// The two calls in the documentation of a generator: equal except for the zone, which ours computes from the clearance.
 #[test]
 fn the_calls_are_those_of_a_generator() {
     let call = |cycle: &str, changes: &[(&str, Value)]| {
@@ -255,7 +255,7 @@ fn the_calls_are_those_of_a_generator() {
         call("surface", &surface),
         "CYCLE978(0,,,1,-55,15,5,1,2,1,\"\",,0,1.01,1.01,-1.01,,,,,1,1)"
     );
-    // A web of another generator, but for the offset and the centre.
+    // A web of another generator: equal except for the offset and the centre.
     let web = call(
         "web",
         &[
@@ -331,7 +331,7 @@ fn what_no_cycle_does_is_refused() {
     }
 }
 
-/// By hand: a ball of 6 has 2 to go from the middle of a hole of 10. A quarter turn is one to the last digit.
+/// By hand: a ball of 6 has 2 to move from the centre of a hole of 10. A quarter turn counts as one within the last digit.
 #[test]
 fn a_measuring_path_is_no_longer_than_the_room() {
     let call = |changes: &[(&str, Value)]| {
@@ -358,7 +358,7 @@ fn a_measuring_path_is_no_longer_than_the_room() {
     }
 }
 
-/// A web's results are kept before the touch of its top; what has been is no part of the frame.
+/// A web's results are saved before the touch of its top; the previous frame is no part of them.
 #[test]
 fn results_are_kept_before_the_next_cycle() {
     let planned = plan(&job(
@@ -382,7 +382,7 @@ fn results_are_kept_before_the_next_cycle() {
         text.contains("IF ($P_UIFR[1,X,FI]<>0) OR ($P_UIFR[1,Z,FI]<>0) GOTOF TP_FRAME"),
         "{text}"
     );
-    // Every move that the program makes itself is watched; a program comes back as its job.
+    // Every move that the program makes itself is watched; a program is read back as its job.
     assert!(
         planned
             .safety
@@ -395,7 +395,7 @@ fn results_are_kept_before_the_next_cycle() {
     assert_eq!(plan(&back.job).unwrap().program.text, *text);
 }
 
-/// CYCLE977's safe range is how far a wall may be off to each side: the limit of the position, and never more than the overtravel.
+/// CYCLE977's safe range is the largest deviation of a wall to each side: the limit of the position, and never more than the overtravel.
 #[test]
 fn the_safe_range_is_the_limit_of_the_position() {
     for (limit, overtravel, safe) in [(0.2, 5.0, "0.2"), (4.0, 5.0, "4"), (7.0, 5.0, "5")] {
@@ -414,7 +414,7 @@ fn the_safe_range_is_the_limit_of_the_position() {
     }
 }
 
-/// The top of a web is a result of its own: where it lies too low the call that touches it stops [R].
+/// The top of a web is a separate result: if it is too low, the call that touches it stops [R].
 #[test]
 fn the_top_of_a_web_is_asked_for_its_limit() {
     for post in ["sinumerik", "heidenhain"] {

@@ -1,4 +1,4 @@
-//! Names and numbers of programs. Each test is named after a failure that was seen.
+//! Names and numbers of programs. Each test is named after a failure.
 
 use crate::common::import;
 use crate::common::{job, number, planned, point, with};
@@ -85,7 +85,7 @@ fn every_job_was_called_probe() {
     assert_eq!(job_name(&Value::Null), "PROBE");
 }
 
-/// A name of its own that a control would change, or whose size would be its number, surprises.
+/// A default name that a control would change, or whose size would become its number, would surprise.
 #[test]
 fn the_name_of_every_job_goes_into_every_program_as_it_is() {
     for def in CYCLES {
@@ -130,7 +130,7 @@ fn every_program_was_o1000() {
             ("o42", number(42.0), "O0042(O42)"),
             ("BORE2201", number(7.0), "O0007(BORE2201)"),
             ("", number(9999.0), "O9999"),
-            // Nothing of a name leaves its comment, or does anything in it.
+            // No part of a name leaves its comment or has an effect in it.
             ("A)G0 Z-9(", Value::Null, "O1000(A_G0 Z-9_)"),
             ("MSG,STOP: \u{fc}+'", Value::Null, "O1000(MSG_STOP_ ___)"),
             ("RESULTS: A = B", Value::Null, "O1000(RESULTS_ A = B)"),
@@ -151,7 +151,7 @@ fn every_program_was_o1000() {
     assert_eq!(long, format!("O1000({})", "X".repeat(31)));
 }
 
-/// A comment of a program says where the stylus is before it: a name must not.
+/// A comment of a program states the start position of the stylus: a name must not.
 #[test]
 fn a_name_cannot_say_where_the_stylus_stands() {
     for name in [
@@ -174,7 +174,7 @@ fn a_name_cannot_say_where_the_stylus_stands() {
     }
 }
 
-/// The number is changed at the control, where another program has it: the job takes it, and nothing else has changed.
+/// The number is changed at the control because another program has it: the job accepts it, and nothing else has changed.
 #[test]
 fn a_number_that_was_changed_by_hand_comes_back() {
     let program = planned(&on("fanuc", "BORE-D25", Value::Null)).program.text;
@@ -252,7 +252,7 @@ fn a_number_that_the_control_may_refuse_or_does_not_have_is_reported() {
     }
 }
 
-/// A dump says no name: it is that of what the dump measures, and not of the defaults.
+/// A dump has no name: the job gets the default name of the measured feature, not of the default job.
 #[test]
 fn what_is_imported_is_named_after_what_it_measures() {
     let hole = with(
@@ -294,7 +294,7 @@ fn what_is_imported_is_named_after_what_it_measures() {
 /// 25+0.021 became 25.021 in one cycle and a tolerance in another.
 #[test]
 fn a_size_that_is_no_number_says_what_to_enter() {
-    // A fit of two classes is that of two parts.
+    // A fit with two classes is that of two parts.
     for (typed, why) in [
         ("25H7/g6", "is no tolerance"),
         ("25Q9", "ISO 286 has no Q9"),
@@ -340,7 +340,7 @@ fn a_size_that_is_no_number_says_what_to_enter() {
         ));
         found[0].message.clone()
     };
-    // Which reading is refused, and what to enter.
+    // Refused readings, and what to enter instead.
     for (typed, hint) in [
         ("1,000", "enter 1000 or 1"),
         ("1-1/2", "enter 1 1/2 or 1 - 1/2"),
@@ -353,7 +353,7 @@ fn a_size_that_is_no_number_says_what_to_enter() {
             said(typed)
         );
     }
-    // Where tolerances have a meaning, they keep it.
+    // Tolerances with a meaning keep it.
     let circles = with(
         &default_job("probing-two-circles").unwrap(),
         "cycle.diameter1",

@@ -1,11 +1,11 @@
-//! Codes that are no moves, and texts that are read for what they are: never a move that is not in the text.
+//! Codes that are no moves, and texts that are read literally: never a move that is not in the text.
 
 use crate::common::with;
 use touchpath::form::Value;
 use touchpath::import::toolpath::KINDS;
 use touchpath::import::{Toolpath, import, read_program};
 
-/// The moves of a line, counted from 1: what each is, and where it ends.
+/// Moves of a line, counted from 1: kind and end of each.
 fn on(path: &Toolpath, line: u32) -> Vec<(&'static str, [f64; 3])> {
     let moves = (0..path.len()).filter(|i| path.line[*i] + 1 == line);
     moves
@@ -20,7 +20,7 @@ fn messages(path: &Toolpath) -> String {
         .collect()
 }
 
-/// Codes beside which X and Y are a place, typed from the manuals: LinuxCNC, Fanuc, Haas.
+/// Codes with which X and Y are a position, from the manuals: LinuxCNC, Fanuc, Haas.
 const PLACES: [&str; 77] = [
     "0", "1", "2", "3", "5", "5.1", "7", "8", "9", "13.1", "15", "17", "18", "19", "20", "21",
     "31", "31.1", "31.2", "31.3", "31.4", "31.5", "31.6", "31.7", "31.8", "31.9", "32", "33",
@@ -29,19 +29,19 @@ const PLACES: [&str; 77] = [
     "56", "57", "58", "59", "59.1", "59.2", "59.3", "61", "61.1", "62", "63", "64", "67", "69",
     "80", "90", "90.1", "91", "91.1", "94", "96", "97", "98",
 ];
-/// More of them: the end of a spline, inverse time, feed a turn, a Haas's offsets.
+/// More of them: the end of a spline, inverse time, feed per revolution, a Haas's offsets.
 const MORE_PLACES: [&str; 27] = [
     "5.3", "6.3", "93", "95", "99", "110", "111", "112", "113", "114", "115", "116", "117", "118",
     "119", "120", "121", "122", "123", "124", "125", "126", "127", "128", "129", "154", "4",
 ];
-/// Codes that are known, and whose X and Y are no place: what they are for is said, or they do nothing that is drawn.
+/// Known codes whose X and Y are no position: their effect is reported, or they have none that is drawn.
 const KNOWN: [&str; 45] = [
     "5.2", "6.2", "10", "12", "12.1", "13", "16", "28", "30", "33.1", "43.1", "43.2", "50", "50.1",
     "51", "51.1", "52", "53", "65", "66", "66.1", "68", "68.2", "68.3", "68.4", "73", "74", "75",
     "76", "81", "82", "83", "84", "85", "86", "87", "88", "89", "92", "92.1", "92.2", "92.3",
     "150", "-", "-",
 ];
-/// The same of a SINUMERIK.
+/// The same for a SINUMERIK.
 const PLACES_840D: [&str; 46] = [
     "0", "1", "2", "3", "4", "9", "17", "18", "19", "33", "34", "35", "38.2", "38.3", "38.4",
     "38.5", "38.6", "38.7", "38.8", "38.9", "40", "41", "42", "54", "55", "56", "57", "60", "61",
@@ -56,12 +56,12 @@ const KNOWN_840D: [&str; 12] = [
     "10", "25", "26", "53", "58", "59", "74", "75", "110", "111", "112", "153",
 ];
 
-/// The decimals that a code is tried with: all below 1000, where makers have theirs; above, none and one.
+/// Decimals to try with a code: all below 1000, where makers use them; above, none and one.
 fn tenths(number: u32) -> impl Iterator<Item = u32> {
     (0..=9).filter(move |tenth| number < 1000 || *tenth == number % 10 || *tenth == 0)
 }
 
-/// Every code there may be, before and behind places, in either dialect.
+/// Every possible code, before and after positions, in both dialects.
 #[test]
 fn a_code_that_is_not_known_makes_no_place_of_its_words() {
     let mut checked = 0;
@@ -123,7 +123,7 @@ fn a_code_that_is_not_known_makes_no_place_of_its_words() {
     assert!(checked > 38_000, "{checked}");
 }
 
-/// The same of M codes: first in their block they may be anything, behind a motion they are the machine's.
+/// The same for M codes: leading ones may have any effect, those after a motion belong to the machine.
 #[test]
 fn an_m_code_in_front_of_places_makes_none_of_them() {
     // Stops, spindle, tool, coolant, clamps, overrides, inputs and outputs, modes.
@@ -135,7 +135,7 @@ fn an_m_code_in_front_of_places_makes_none_of_them() {
     ];
     for dialect in ["iso", "sinumerik"] {
         for number in 0..=9999u32 {
-            // Ends, and calls, have tests of their own.
+            // Ends and calls have separate tests.
             if matches!(number, 2 | 17 | 30 | 97 | 98 | 99 | 198) {
                 continue;
             }
@@ -153,7 +153,7 @@ fn an_m_code_in_front_of_places_makes_none_of_them() {
                 );
                 let path = read_program(&text, Some(dialect));
                 let (before, behind) = (on(&path, 3), on(&path, 6));
-                // A SINUMERIK's new tool is longer or shorter.
+                // A SINUMERIK's new tool has another length.
                 let tool = dialect == "sinumerik" && code == "M6";
                 let [(kind, to)] = behind[..] else {
                     panic!("{dialect} {code}: {behind:?}")
@@ -198,7 +198,7 @@ fn of_very_many_codes_the_first_are_named() {
     );
 }
 
-/// Control points were drawn as cuts; so were the places of other curves.
+/// Control points were drawn as cuts; so were the positions of other curves.
 #[test]
 fn control_points_of_a_spline_are_no_moves() {
     for (begin, end, dialect) in [
@@ -228,7 +228,7 @@ fn control_points_of_a_spline_are_no_moves() {
     }
 }
 
-/// A Haas has offsets beyond G59; a selection before anything moves is the first one.
+/// A Haas has offsets beyond G59; a selection before any move is the first one.
 #[test]
 fn other_work_offsets_of_a_haas_were_unsaid() {
     let codes = |text: &str| {
@@ -253,7 +253,7 @@ fn other_work_offsets_of_a_haas_were_unsaid() {
     assert!(!codes("G21 G54\nG110\nG0 X1\n") && codes("G21\nG0 X1\nG110\nX2\n"));
 }
 
-/// Other makers assign as well, and a text may say anything.
+/// Other makers assign as well, and a text may contain anything.
 #[test]
 fn an_assigned_axis_alone_is_no_sinumerik() {
     for (text, dialect) in [
@@ -273,7 +273,7 @@ fn an_assigned_axis_alone_is_no_sinumerik() {
     }
 }
 
-/// Nothing was read, and nothing was said.
+/// Nothing was read, and nothing was reported.
 #[test]
 fn a_text_without_moves_says_so() {
     let no_moves = |text: &str| {
@@ -302,10 +302,10 @@ fn a_text_without_moves_says_so() {
     assert_eq!(no_moves("G21\nG0 X5\n"), None);
 }
 
-/// After a call of a subprogram that cannot be followed nothing is known, and no call runs without an end.
+/// After a call of a subprogram that cannot be followed, positions are unknown, and no call runs forever.
 #[test]
 fn a_subprogram_that_cannot_be_followed_leaves_nothing_known() {
-    // Where it is not there, or not once, does not end, or is called with what is computed, nothing is known after it.
+    // If it is missing, repeated, endless, or called with computed values, positions after it are unknown.
     for text in [
         "M98 P100\nG0 Z9\nM30\n",
         "M98 P100\nG0 Z9\nM30\nO100\nM99\nO100\nM99\n",
@@ -326,7 +326,7 @@ fn a_subprogram_that_cannot_be_followed_leaves_nothing_known() {
             "{text}"
         );
     }
-    // What calls itself has an end, and so has what repeats without measure.
+    // Recursion ends, and so do endless repetitions.
     for text in [
         "M98 P5\nM30\nO5\nG91 G1 X1 F10\nM98 P5\nM99\n",
         "M98 P5 L9999\nM30\nO5\nX1\nM98 P6 L9999\nM99\nO6\nY1\nM98 P7 L9999\nM99\nO7\nZ1\nM99\n",

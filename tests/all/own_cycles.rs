@@ -1,5 +1,5 @@
-//! Programs that call native cycles: Renishaw's macros, judged by a Fanuc of our own that knows each call from its description and shares nothing with the
-//! crate. It reads the program's text, knows where the part's faces are, and says where the ball's centre is at each second touch.
+//! Programs that call native cycles: Renishaw's macros, judged by a simulated Fanuc that implements each call from its description and shares no code with the
+//! crate. It reads the program's text and the faces of the part, and computes the ball centre at each second touch.
 
 use std::collections::BTreeMap;
 
@@ -9,19 +9,19 @@ use touchpath::control::{ProgramForm, find};
 use touchpath::form::Value;
 use touchpath::job::{Plan, plan};
 
-/// A face of the part: where the ball's centre (radius 3) is stopped.
+/// A face of the part, which stops the ball centre (radius 3).
 #[derive(Clone, Copy)]
 pub(super) enum Face {
-    /// Coming against the normal in the plane: normal · place = distance.
+    /// Against the normal in the plane: normal · position = distance.
     Wall([f64; 2], f64),
-    /// A circle of this radius about a place, from its inside or from outside.
+    /// A circle of this radius about a position, from its inside or from outside.
     Circle([f64; 2], f64),
     /// From above, the stylus tip.
     Top(f64),
 }
 
 impl Face {
-    /// The same elsewhere.
+    /// The same at another position.
     pub(super) fn moved(self, [x, y, z]: [f64; 3]) -> Face {
         match self {
             Face::Wall(n, d) => Face::Wall(n, d + n[0] * x + n[1] * y),
@@ -31,12 +31,12 @@ impl Face {
     }
 }
 
-/// Where a feature is put: about the origin its coordinates could be exchanged, and nobody would see it.
+/// Positions of the feature: at the origin its coordinates could be exchanged without an effect.
 pub(super) const PLACES: [[f64; 3]; 2] = [[0.0; 3], [7.0, -12.5, -3.0]];
 
 pub(super) const BALL: f64 = 3.0;
 
-/// How far along a way of the ball's centre (x, y, tip) a face stops it.
+/// Distance along a move of the ball centre (x, y, tip) at which a face stops it.
 pub(super) fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
     let way = [b[0] - a[0], b[1] - a[1]];
     let part = match face {
@@ -64,7 +64,7 @@ pub(super) fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
     (0.0..=1.0).contains(&part).then_some(part)
 }
 
-/// The control of the tests: where the ball's centre (x, y, tip) was at each contact that counts.
+/// The simulated control: the ball centre (x, y, tip) at each contact that counts.
 struct Judge<'p> {
     faces: &'p [Face],
     at: [f64; 3],
@@ -72,7 +72,7 @@ struct Judge<'p> {
 }
 
 impl Judge<'_> {
-    /// From the present position towards another one, and `q` beyond it.
+    /// From the current position towards another one, and `q` past it.
     fn touch(&mut self, place: [f64; 3], q: f64) -> [f64; 3] {
         let way: Vec<f64> = (0..3).map(|i| place[i] - self.at[i]).collect();
         let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -88,7 +88,7 @@ impl Judge<'_> {
         contact
     }
 
-    /// A touch from a place of its own, with the stylus back at the start afterwards.
+    /// A touch from a separate position; the stylus returns to its start.
     fn touch_from(&mut self, from: [f64; 3], place: [f64; 3], q: f64) -> [f64; 3] {
         let start = std::mem::replace(&mut self.at, from);
         let contact = self.touch(place, q);
@@ -96,7 +96,7 @@ impl Judge<'_> {
         contact
     }
 
-    /// Both sides of the present position along a direction: from the middle, or from outside and beside.
+    /// Both sides of the current position along a direction: from the middle, or from outside.
     fn sides(
         &mut self,
         along: [f64; 2],
@@ -113,7 +113,7 @@ impl Judge<'_> {
             Some(z) => {
                 let r = letters[&'R'];
                 let from = size / 2.0 + BALL * r.signum() + r;
-                // Along an axis Q counts from the surface, beside a turned wall from the contact of the ball's centre.
+                // Along an axis Q counts from the surface, beside a rotated wall from the contact of the ball centre.
                 let to = if turned {
                     size / 2.0 + BALL * r.signum()
                 } else {
@@ -158,7 +158,7 @@ impl Judge<'_> {
             }
             9822 => {
                 let a = l[&'A'];
-                // Below 90 at A + 90 first, else at A − 90; beside a web the other way round.
+                // Below 90 at A + 90 first, else at A − 90; beside a web in the reverse order.
                 let web = l.get(&'R').is_some_and(|r| *r >= 0.0);
                 self.sides(direction(a + 90.0), l[&'D'], l, (a < 90.0) != web);
             }
@@ -204,13 +204,13 @@ impl Judge<'_> {
     }
 }
 
-/// A line's call, its letters by name.
+/// Call in a line, with its letters.
 fn called(line: &str) -> Option<(u32, BTreeMap<char, f64>)> {
     let (number, letters) = owed::macro_call(line)?;
     Some((number, letters.into_iter().collect()))
 }
 
-/// Reads the calls of a program and runs them: the contacts, ball centres in work coordinates.
+/// Runs the calls of a program: the contacts as ball centres in work coordinates.
 fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
     let mut judge = Judge {
         faces,
@@ -227,7 +227,7 @@ fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Where the plan's own run has the contacts, in the order in which they are made.
+/// Contacts of the plan's own run, in order.
 fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
     // Each is made twice, fast and slow.
     let mut made: Vec<usize> = plan
@@ -272,7 +272,7 @@ fn the_judge_touches_where_the_plan_does() {
         [walls(turn, 40.0, inside), walls(turn + 90.0, 25.0, inside)].concat()
     };
     let corner = |inside: bool| {
-        // Outside, the part lies to the right of and above the corner.
+        // Outside, the part is to the right of the corner and above it.
         let n = if inside { 1.0 } else { -1.0 };
         vec![Face::Wall([n, 0.0], n * dx), Face::Wall([0.0, n], n * dy)]
     };
@@ -360,7 +360,7 @@ fn the_judge_touches_where_the_plan_does() {
         .iter()
         .flat_map(|case| PLACES.map(|place| (place, case)));
     for (place, (cycle, changes, faces)) in placed {
-        // The two circles have places of their own.
+        // The two circles have their own positions.
         if *cycle == "probing-two-circles" && place != PLACES[0] {
             continue;
         }
@@ -402,7 +402,7 @@ fn the_judge_touches_where_the_plan_does() {
             );
             touches += 1;
         }
-        // What the control will have is the truth of a part that is only shifted.
+        // The results of the control are the true values of a part that is only shifted.
         for row in plan
             .results
             .iter()
@@ -420,7 +420,7 @@ fn the_judge_touches_where_the_plan_does() {
     assert!(touches >= 130, "{touches}");
 }
 
-/// What the macros do not do is refused, with the field and the reason.
+/// Features that the macros do not support are refused, with field and reason.
 #[test]
 fn what_no_macro_does_is_refused() {
     let refused = |cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
@@ -471,7 +471,7 @@ fn what_no_macro_does_is_refused() {
         ),
         ["cycle-chooses-points cycle.count1"]
     );
-    // The macro touches along X and Y alone.
+    // The macro touches only along X and Y.
     assert_eq!(
         refused("hole", &[("cycle.rotation", number(45.0))]),
         ["cycle-not-parallel cycle.rotation"]
@@ -494,7 +494,7 @@ fn what_no_macro_does_is_refused() {
         refused("hole", &five),
         ["cycle-chooses-points cycle.stepCount"]
     );
-    // Both macros of a turned rectangle write both axes.
+    // Both macros of a rotated rectangle write both axes.
     let turned = [
         ("cycle.rotation", number(30.0)),
         ("control.workOffset", number(1.0)),
@@ -505,8 +505,8 @@ fn what_no_macro_does_is_refused() {
     );
 }
 
-/// The letters by hand: a web along Y of 30 with 6 aside and 5 behind by a ball of 6, into G54.1 P2, with limits; in inch; results of the first of two
-/// calls are kept.
+/// The letters by hand: a web along Y of 30 with a clearance of 6 and an overtravel of 5 for a ball of 6, into G54.1 P2, with limits; in inch; results of the
+/// first of two calls are saved.
 #[test]
 fn the_letters_of_a_call_are_the_jobs() {
     let calls = |cycle: &str, post: &str, changes: &[(&str, Value)]| -> Vec<String> {
@@ -550,7 +550,7 @@ fn the_letters_of_a_call_are_the_jobs() {
         "{}",
         inch.program.text
     );
-    // The angle of a wall, not of the touch; a corner without a second touch has no angle to be judged.
+    // The angle of a wall, not of the touch; a corner without a second touch has no angle to judge.
     assert_eq!(
         calls("web", "fanuc", &[("cycle.rotation", number(30.0))])[4],
         "G65 P9822 A120. D30. Q5. Z-13. R5. H0.5"
@@ -563,7 +563,7 @@ fn the_letters_of_a_call_are_the_jobs() {
     assert_eq!(single[4], "G65 P9815 X0. Y0. Q2.");
 }
 
-/// How each control writes the same call, by hand: the first of a rectangle's two, what keeps its results, and what begins and ends the program.
+/// The same call on each control, by hand: the first of a rectangle's two, the variables that save its results, and the start and end of the program.
 #[test]
 fn each_control_has_its_own_words() {
     let text = |post: &str, offset: f64| {
@@ -647,7 +647,7 @@ fn each_control_has_its_own_words() {
             "M2",
         ],
     );
-    // A Brother has the units of its settings, no tape sign and no number; a Hurco switches the probe by itself.
+    // A Brother has the units of its settings, no tape sign and no number; a Hurco switches the probe automatically.
     let brother = text("brother", 1.0);
     assert!(
         !brother.contains("G21") && !brother.contains('%') && !brother.contains("O1000"),
@@ -701,7 +701,7 @@ fn each_control_has_its_own_words() {
     );
 }
 
-/// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S comes after the last measurement.
+/// 1411: from feature to feature; results of the first circle are saved before the second clears them, and S comes after the last measurement.
 #[test]
 fn two_circles_are_measured_from_feature_to_feature() {
     let given = [
@@ -727,7 +727,7 @@ fn two_circles_are_measured_from_feature_to_feature() {
             "G65 P9833"
         ]
     );
-    // Where nothing is written the angle is asked.
+    // Without a write the angle is checked.
     let measures = plan(&own("probing-two-circles", "fanuc", &[])).unwrap();
     assert!(
         measures.program.text.contains("\nG65 P9834 X60. Y0. B1.\n"),
@@ -764,7 +764,7 @@ fn two_circles_are_measured_from_feature_to_feature() {
                 .any(|finding| finding.code == "offset-measured-again")
         );
     }
-    // DIST and the way to a contact say how far a search goes behind it; the job's overtravel says nothing here.
+    // DIST and the distance to a contact determine the search past it; the job's overtravel has no effect here.
     for overtravel in [5.0, 60.0] {
         let late = [
             ("stylus.diameter", number(4.0)),
@@ -794,7 +794,7 @@ fn two_circles_are_measured_from_feature_to_feature() {
     }
 }
 
-/// Results are where the macros leave them, or kept.
+/// Results are in the variables of the macros, or saved.
 #[test]
 fn results_have_the_controls_own_names() {
     let names = |cycle: &str, post: &str| -> Vec<(String, Option<String>)> {
@@ -833,7 +833,7 @@ fn results_have_the_controls_own_names() {
     );
 }
 
-/// Run as text that someone else wrote, the program makes the plan's moves on the plan's part.
+/// Run as a foreign text, the program makes the plan's moves on the plan's part.
 #[test]
 fn the_program_runs_as_its_plan() {
     use touchpath::import::toolpath::{Feature, RunInputs, run_program};
@@ -850,7 +850,7 @@ fn the_program_runs_as_its_plan() {
     ] {
         let job = own(cycle, "fanuc", &[("part.offset", list([0.3, 0.2, 0.1]))]);
         let plan = plan(&job).unwrap();
-        // A run takes heights for those of the ball's centre.
+        // A run reads heights as those of the ball centre.
         let lower = match cycle == two {
             true => with(
                 &with(&job, "cycle.point1", list([-30.0, 0.0, -10.0 - BALL])),
@@ -898,7 +898,7 @@ fn the_program_runs_as_its_plan() {
     assert!(seen >= 50, "{seen}");
 }
 
-/// A part that lies so far off that a macro would stop: what is not measured is not known, and nothing is claimed after the alarm.
+/// A part that is so far off that a macro would stop: values that are not measured are unknown, and nothing is claimed after the alarm.
 #[test]
 fn an_alarm_ends_the_macro() {
     let far = plan(&own(
@@ -923,7 +923,7 @@ fn an_alarm_ends_the_macro() {
         missed.len() == 1 && missed[0][0] == "2",
         "the second touch: {missed:?}"
     );
-    // Beside a boss the way down meets it.
+    // Beside a boss the move down collides.
     let met = plan(&own(
         "boss",
         "fanuc",
@@ -940,13 +940,13 @@ fn an_alarm_ends_the_macro() {
     assert!(met.results.iter().all(|row| row.value.is_none()));
 }
 
-/// Every program of calls is read back into its job; a changed value is said.
+/// Every program of calls is read back as its job; a changed value is reported.
 #[test]
 fn a_program_of_calls_comes_back_as_its_job() {
     let mut read = 0;
     for cycle in touchpath::cycle::CYCLES {
         for post in calling_macros() {
-            // All but the NC action and the angle of a wall, and a Hurco's switch.
+            // All except the NC action and the angle of a wall, and a Hurco's switch.
             if (find(post).unwrap().supports)(cycle.probes, ProgramForm::Cycle).is_err() {
                 continue;
             }

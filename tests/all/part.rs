@@ -54,7 +54,7 @@ fn a_shifted_pocket() {
     assert_eq!(row(&plan, "rotation").value, None);
 }
 
-/// A pocket 0.3 wider: each wall goes out by 0.15, the centre stays.
+/// A pocket 0.3 wider: each wall moves out by 0.15, the centre stays.
 #[test]
 fn a_wider_pocket() {
     let plan = planned(&with(&pocket(), "part.sizes.width1", number(0.3)));
@@ -65,9 +65,8 @@ fn a_wider_pocket() {
     near(value(&plan, "width2"), 50.0);
 }
 
-/// A pocket turned by 3° about its centre. The ball meets a wall W/2 from the centre when its own distance from it is r,
-/// so along the nominal direction it ends at (W/2 − r)/cos 3°, and with the radius added along that direction the
-/// width reads (W − d)/cos 3° + d: too wide by (W − d)(1/cos 3° − 1).
+/// A pocket rotated by 3° about its centre. The ball touches a wall W/2 from the centre when its distance from it is r, so along the nominal direction it ends
+/// at (W/2 − r)/cos 3°. With the radius added along that direction the width reads (W − d)/cos 3° + d: too wide by (W − d)(1/cos 3° − 1).
 #[test]
 fn a_turned_pocket_reads_too_wide_by_the_cosine_error() {
     let plan = planned(&with(&pocket(), "part.rotation", number(3.0)));
@@ -90,8 +89,8 @@ fn a_turned_pocket_reads_too_wide_by_the_cosine_error() {
     // 74 · 0.0013723459 = 0.10155…
 }
 
-/// Turned and shifted: the probing line Y = 0 misses the true centre by dy, and the middle between walls that are turned
-/// by φ lies where that line crosses the turned middle line: dy·tan φ further along X.
+/// Rotated and shifted: the probing line Y = 0 misses the true centre by dy, and the middle between walls that are rotated by φ is where that line crosses the
+/// rotated centre line: dy·tan φ further along X.
 #[test]
 fn a_turned_and_shifted_pocket_has_its_middle_on_the_probing_line() {
     let turned = with(&pocket(), "part.rotation", number(3.0));
@@ -102,8 +101,8 @@ fn a_turned_and_shifted_pocket_has_its_middle_on_the_probing_line() {
     assert!(row(&plan, "center.x").note.is_some());
 }
 
-/// The top side lies 10 above the touches. Lowered by 10 mm less than a radius, the wall ends under the ball's middle:
-/// 1.8 above the edge a ball of radius 3 meets it 2.4 in front of the wall (3-4-5), so it goes 0.6 further.
+/// The top side is 10 above the touches. Lowered by 10 mm minus part of a radius, the wall ends below the ball centre: 1.8 above the edge a ball of radius 3
+/// touches it 2.4 in front of the wall (3-4-5), so it moves 0.6 further.
 #[test]
 fn a_lowered_part_is_met_at_its_edge() {
     let plan = planned(&with(&pocket(), "part.offset", point([0.0, 0.0, -11.8])));
@@ -116,13 +115,13 @@ fn a_lowered_part_is_met_at_its_edge() {
     );
 }
 
-/// The ball comes from 8 before the wall; a part that is 5.5 nearer is met by the way down, not by the touch.
+/// The ball starts 8 before the wall; a part that is 5.5 nearer is hit by the move down, not by the touch.
 #[test]
 fn a_part_in_the_way_names_the_move() {
     let near_part = with(&pocket(), "part.offset", point([-5.5, 0.0, 0.0]));
     let findings = touchpath::job::check(&with(&near_part, "overtravel", number(10.0)));
     let collisions: Vec<_> = findings.iter().filter(|f| f.code == "collision").collect();
-    // At X 32 the wall is 40 − 5.5 − 32 = 2.5 away: its edge is met √(3² − 2.5²) = 1.6583 above the top.
+    // At X 32 the wall is 40 − 5.5 − 32 = 2.5 away: its edge is touched √(3² − 2.5²) = 1.6583 above the top.
     assert_eq!(collisions.len(), 1, "{collisions:?}");
     assert_eq!(
         (collisions[0].level, collisions[0].path.as_str()),
@@ -137,8 +136,8 @@ fn a_part_in_the_way_names_the_move() {
     assert!(findings.iter().all(|f| f.level != Level::Error));
 }
 
-/// A square corner whose part is shifted by (0.4, 0.7) and turned by 1° about the work origin, where the corner is: two
-/// touches a wall see the turn itself, and the corner is exact.
+/// A square corner on a part that is shifted by (0.4, 0.7) and rotated by 1° about the work origin, which is the corner: two touches per wall measure the
+/// rotation, and the corner is exact.
 #[test]
 fn a_turned_corner_is_measured_without_error() {
     let turned = with(&corner(), "part.rotation", number(1.0));
@@ -147,14 +146,14 @@ fn a_turned_corner_is_measured_without_error() {
     near(value(&plan, "corner.y"), 0.7);
     near(value(&plan, "angle"), 90.0);
     near(value(&plan, "rotation"), 1.0);
-    // Wall 1 is X = 0 turned by 1°: at height y the ball centre is 3/cos 1° − y·tan 1° out of it, from the shifted corner.
-    // The first touch is at y = 15, 14.3 above the shifted corner.
+    // Wall 1 is X = 0 rotated by 1°: at height y the ball centre is 3/cos 1° − y·tan 1° from it, counted from the shifted corner. The first touch is at y = 15,
+    // 14.3 above the shifted corner.
     let (secant, tangent) = (1.000_152_328_04, 0.017_455_064_93);
     assert!((plan.triggers[0].unwrap()[0] - (0.4 + 3.0 * secant - 14.3 * tangent)).abs() < 1e-9);
 }
 
-/// One touch a wall: the walls keep their nominal directions, so a turned part shifts the corner. Ball centres are met as
-/// above at height 15: corner.x reads 3/cos 1° − 15·tan 1° − 3.
+/// One touch per wall: the walls keep their nominal directions, so a rotated part shifts the corner. Ball centres are as above at height 15: corner.x reads
+/// 3/cos 1° − 15·tan 1° − 3.
 #[test]
 fn a_corner_with_single_touches_keeps_its_nominal_directions() {
     let single = with(
@@ -178,7 +177,7 @@ fn a_corner_with_single_touches_keeps_its_nominal_directions() {
     );
 }
 
-/// A corner of 90.5°: wall 2 turns by −0.5° about the corner, wall 1 stays.
+/// A corner of 90.5°: wall 2 rotates by −0.5° about the corner, wall 1 stays.
 #[test]
 fn a_wider_corner() {
     let plan = planned(&with(&corner(), "part.sizes.angle", number(0.5)));
@@ -188,9 +187,8 @@ fn a_wider_corner() {
     near(value(&plan, "corner.y"), 0.0);
 }
 
-/// Uncertainties by hand, for σ = 0.002 a touch. A centre is half the sum of two touches: σ/√2. A width is their
-/// difference: σ·√2. The angle of a wall with two touches 20 apart is (Δ2 − Δ1)/20: σ·√2/20 rad; the corner angle adds
-/// that of the other wall, 30 apart.
+/// Uncertainties by hand, for σ = 0.002 per touch. A centre is half the sum of two touches: σ/√2. A width is their difference: σ·√2. The angle of a wall with
+/// two touches 20 apart is (Δ2 − Δ1)/20: σ·√2/20 rad; the corner angle adds that of the other wall, 30 apart.
 #[test]
 fn uncertainties_by_hand() {
     let plan = planned(&with(&pocket(), "stylus.repeatability", number(0.002)));
@@ -223,7 +221,7 @@ fn uncertainties_by_hand() {
     );
 }
 
-/// Numbers of a normal distribution, the same in every run.
+/// Random numbers with a normal distribution, the same in every run.
 struct Draws(u64);
 
 impl Draws {
@@ -248,7 +246,7 @@ fn uncertainties_agree_with_draws() {
         "part": { "offset": [0.3, -0.4, 0], "rotation": 0.8, "sizes": { "angle": -0.3 } } }"#;
     let turned = r#"{ "format": 1, "stylus": { "repeatability": 0.004 }, "cycle": { "type": "internal-rectangle-protected",
         "rotation": 33 }, "part": { "rotation": 1 } }"#;
-    // The same of cycles of a control's own, whose touches and formulas are theirs.
+    // The same for native cycles, which have their own touches and formulas.
     let own = |cycle: &str, post: &str| {
         format!(
             r#"{{ "format": 1, "stylus": {{ "repeatability": 0.004 }}, "cycle": {{ "type": "{cycle}" }}, "part": {{ "offset": [0.3, -0.4, 0] }},
@@ -276,7 +274,7 @@ fn uncertainties_agree_with_draws() {
             job: checked, path, ..
         } = touchpath::job::planned(&job).unwrap();
         let mut draws = Draws(*seed);
-        // The spread of so many is known to half a percent.
+        // The spread of so many draws is known to half a percent.
         let count = 20_000;
         let mut sums = vec![(0.0, 0.0); plan.results.len()];
         for _ in 0..count {
@@ -317,7 +315,7 @@ fn uncertainties_agree_with_draws() {
     }
 }
 
-/// Closer touches cost certainty of the angle: a fifth of the distance, five times the uncertainty.
+/// Closer touches make the angle less certain: a fifth of the distance, five times the uncertainty.
 #[test]
 fn close_touches_show_their_price() {
     let wide = planned(&corner());
@@ -382,7 +380,7 @@ fn measured_points_that_cannot_be_of_the_job_are_refused() {
             "too-far measured[2]"
         ]
     );
-    // A part that lies nearer triggers on the way: 4 before the contact is still of this touch, 5.1 before it is not.
+    // A nearer part triggers during positioning: 4 before the contact still belongs to this touch, 5.1 before it does not.
     let nearer = |x: f64| Value::Text(format!("{x},0,-10\n-37,0,-10\n0,22,-10\n0,-22,-10"));
     assert!(evaluate(&pocket(), &nearer(33.0)).is_ok());
     assert_eq!(codes(nearer(31.9)), ["too-far measured[0]"]);

@@ -1,4 +1,4 @@
-//! What a program asks before it writes: whether its results are plausible, and whether every touch was made in this run.
+//! Checks of a program before it writes: plausible results, and every touch made in this run.
 
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
@@ -17,7 +17,7 @@ fn hole(post: &str, offset: &str, more: &str) -> Value {
     ))
 }
 
-/// Where the ball centre is at each touch where a chip of 4 mm lies on the first wall: by hand, 17 − 4 and 17 from the centre.
+/// Ball centre at each touch with a chip of 4 mm on the first wall: by hand, 17 − 4 and 17 from the centre.
 fn with_a_chip(plan: &Plan) -> Vec<[f64; 3]> {
     let z = plan.triggers[0].unwrap()[2];
     vec![
@@ -73,7 +73,7 @@ fn a_chip_on_the_first_wall_stops_a_fanuc_and_a_haas_before_the_write() {
             control.alarm
         );
         assert!(control.writes.is_empty(), "{post}");
-        // What was measured can still be read.
+        // The results can still be read.
         assert!((result(&plan, &control, "CENTER.X") - CHIP.0).abs() < 1e-4);
         assert!((result(&plan, &control, "DIAMETER") - CHIP.1).abs() < 1e-3);
         // The good part is written, and a program that only measures raises no alarm: it shows a message and waits.
@@ -150,7 +150,7 @@ fn a_chip_on_the_first_wall_stops_linuxcnc_before_the_write() {
     assert_eq!(error, None, "it only says so");
 }
 
-/// What the page says of the virtual part is what the program does there.
+/// The page's statement about the virtual part equals the behaviour of the program.
 #[test]
 fn the_plan_says_where_the_program_would_stop() {
     let found = |part: &str, offset: &str, limits: &str| {
@@ -185,13 +185,13 @@ fn the_plan_says_where_the_program_would_stop() {
     assert!(found(larger, "null", "{}").is_some_and(|text| text.contains("reports")));
     assert_eq!(found(larger, "1", r#"{ "size": 0.7 }"#), None);
     assert_eq!(found(larger, "1", r#"{ "size": null }"#), None);
-    // A part may lie anywhere within the search, unless the job says how far.
+    // Without a limit a part may be anywhere within the search.
     let shifted = r#"{ "offset": [3, 0, 0] }"#;
     assert_eq!(found(shifted, "1", "{}"), None);
     assert!(found(shifted, "1", r#"{ "position": 2.5 }"#).is_some());
 }
 
-/// Four touches on a circle but for one that is 0.5 mm off: 2·r·e of each is ±2·17·0.125 in turn, so the root mean square of e is 0.125.
+/// Four touches on a circle, one of them 0.5 mm off: 2·r·e of each is ±2·17·0.125 in turn, so the root mean square of e is 0.125.
 #[test]
 fn the_residual_is_the_root_mean_square_distance_from_the_circle() {
     let geometric = hole("grbl", "null", "");
@@ -221,8 +221,8 @@ fn the_residual_is_the_root_mean_square_distance_from_the_circle() {
     }
 }
 
-/// Three touches on a wall at 0, 20 and 40 mm, the middle one 0.3 mm off the line: the line of least squares goes 0.1 beside the outer ones and
-/// 0.2 beside the middle one.
+/// Three touches on a wall at 0, 20 and 40 mm, the middle one 0.3 mm off the line: the least-squares line is 0.1 from the outer ones and 0.2 from the middle
+/// one.
 #[test]
 fn the_residual_of_a_wall_is_the_root_mean_square_distance_from_its_line() {
     let job = job(
@@ -256,7 +256,7 @@ fn text(text: &str) -> Value {
     Value::Text(text.to_owned())
 }
 
-/// Every program that writes, started again from every block after its first motion, with its variables empty and as the last run left them.
+/// Every program that writes, restarted at every block after its first motion, with empty variables and with those of the last run.
 #[test]
 fn no_restart_in_the_middle_writes() {
     let mut seen = 0;
@@ -293,7 +293,7 @@ fn no_restart_in_the_middle_writes() {
     assert!(seen >= 4 * 15, "{seen}");
 }
 
-/// The same on a Fanuc and a Haas of our own, whose reader shares nothing with the crate: the part was moved by 1.5 mm and 0.8 mm since the last run.
+/// The same on a simulated Fanuc and Haas, whose reader shares no code with the crate: the part was moved by 1.5 mm and 0.8 mm since the last run.
 #[test]
 fn a_fanuc_that_is_started_at_any_block_writes_nothing_or_everything() {
     let (mut alarms, mut starts) = (0, 0);
@@ -338,7 +338,7 @@ fn a_fanuc_that_is_started_at_any_block_writes_nothing_or_everything() {
                         .iter()
                         .map(|origin| control.variables[origin])
                         .collect();
-                    // A motion of the judge's own that has no place is an error of the run, and a stop.
+                    // A motion without a position is an error of the simulated run, and a stop.
                     let _ = control.run(&(text[at..].join("\n") + "\n"));
                     let now: Vec<f64> = [5221, 5222]
                         .iter()
@@ -407,7 +407,7 @@ fn circles_of_eight_points_fit_the_variables_of_a_fanuc_and_a_haas() {
     }
 }
 
-/// What is said of a native cycle that measures a bad result on a part of these limits.
+/// Findings about a native cycle that measures a bad result on a part with these limits.
 fn own_cycle(post: &str, cycle: &str, part: &str, offset: &str) -> Vec<String> {
     let job = job(&format!(
         r#"{{ "format": 1, "control": {{ "post": "{post}", "form": "cycle", "workOffset": {offset} }}, "cycle": {cycle},
@@ -421,7 +421,8 @@ fn own_cycle(post: &str, cycle: &str, part: &str, offset: &str) -> Vec<String> {
         .collect()
 }
 
-/// H, M and B as Renishaw's macros compare them (read in the edition for Haas): H with the size, M with twice the way of the place from its nominal one, B with both walls.
+/// H, M and B as Renishaw's macros compare them (read in the edition for Haas): H with the size, M with twice the distance of the position from its nominal
+/// one, B with both walls.
 #[test]
 fn renishaws_macros_stop_as_their_letters_say() {
     let hole = r#"{ "type": "hole", "diameter": 40 }"#;
@@ -433,7 +434,7 @@ fn renishaws_macros_stop_as_their_letters_say() {
         // 0.8 along both axes is 1.131 away, and M2. stops from 1 on.
         (hole, r#""offset": [0.8, 0, 0]"#, None),
         (hole, r#""offset": [0.8, 0.8, 0]"#, Some(format!("{stops}the measured place is 1.1314 mm off, more than 1 mm"))),
-        // The second wall alone, both, and the first alone.
+        // Only the second wall, both, and only the first.
         (
             corner,
             r#""sizes": { "angle": 3 }"#,
@@ -454,7 +455,7 @@ fn renishaws_macros_stop_as_their_letters_say() {
     }
 }
 
-/// HEIDENHAIN's cycles compare the size, and each axis of the centre; those that write compare nothing.
+/// HEIDENHAIN's cycles compare the size and each axis of the centre; those that write compare nothing.
 #[test]
 fn heidenhains_cycles_stop_as_q309_says() {
     let hole = r#"{ "type": "hole", "diameter": 40 }"#;
@@ -487,7 +488,7 @@ fn heidenhains_cycles_stop_as_q309_says() {
     );
 }
 
-/// What a macro does not ask before it writes is said; 1411 would ask its angle behind the write.
+/// Limits that a macro does not check before it writes are reported; 1411 would check its angle after the write.
 #[test]
 fn what_a_macro_does_not_ask_before_it_writes_is_said() {
     let unasked = |cycle: &str, rest: &str| -> Vec<String> {
@@ -506,7 +507,7 @@ fn what_a_macro_does_not_ask_before_it_writes_is_said() {
         unasked(r#"{ "type": "double-wall-internal-corner" }"#, ""),
         ["Warning limits.angle"]
     );
-    // Of a set-up the last cycle writes.
+    // In a set-up the last cycle writes.
     let set_up = |cycles: &str| -> Vec<String> {
         let text = format!(
             r#"{{ "format": 2, "control": {{ "post": "haas", "form": "cycle", "workOffset": 1 }}, "cycles": [{cycles}] }}"#

@@ -1,4 +1,4 @@
-//! Every problem a job can have, by code and path; and that all of them are reported at once.
+//! Every problem that a job can have, by code and path, and all of them together.
 
 use crate::common::{job, number, point, values, with};
 use crate::tests::controls::unpointed;
@@ -31,7 +31,7 @@ fn found(job: &Value, level: Level) -> Vec<String> {
 fn default_jobs_are_without_any_finding() {
     for cycle in touchpath::cycle::CYCLES {
         let job = default_job(cycle.key).unwrap();
-        // What is rows of the table alone says so.
+        // Cycles without motion state it.
         let still = matches!(cycle.probes, FeatureKind::Switch | FeatureKind::Action);
         assert_eq!(
             found(&job, Level::Warning),
@@ -39,7 +39,7 @@ fn default_jobs_are_without_any_finding() {
             "{}",
             cycle.key
         );
-        // And no job says by itself what is above the ball.
+        // No job states the stylus above the ball by default.
         let others = check(&job)
             .into_iter()
             .filter(|f| f.code != "stylus-not-known");
@@ -57,7 +57,7 @@ fn new_jobs_in_inch_are_sound_and_say_what_inch_users_type() {
         assert_eq!(mm, default_job(cycle.key).unwrap());
         let codes = |job: &Value| check(job).into_iter().map(|f| f.code).collect::<Vec<_>>();
         assert_eq!(codes(&job), codes(&mm), "{}", cycle.key);
-        // No number needs more than three digits, whatever its size.
+        // No number needs more than three digits, for any size.
         fn numbers(value: &Value, seen: &mut Vec<f64>) {
             match value {
                 Value::Number(x) => seen.push(*x),
@@ -79,7 +79,7 @@ fn new_jobs_in_inch_are_sound_and_say_what_inch_users_type() {
             assert!(digits <= 3, "{}: {x}", cycle.key);
         }
     }
-    // What the shop floor types, from the report of those who tried it.
+    // Typical input on the shop floor, from users' reports.
     let corner = new_job("double-wall-internal-corner", Units::Inch).unwrap();
     for (path, typed) in [
         ("cycle.clearance1", 0.6),
@@ -187,7 +187,7 @@ fn each_problem_is_found_where_it_is() {
             with(&pocket(), "control.post", text("mazatrol")),
             "unknown-value control.post",
         ),
-        // Numbers that are none.
+        // Invalid numbers.
         (
             with(&pocket(), "cycle.width1", number(f64::NAN)),
             "not-finite cycle.width1",
@@ -269,7 +269,7 @@ fn each_problem_is_found_where_it_is() {
             with(&pocket(), "part.sizes.width1", number(-80.0)),
             "out-of-range part.sizes.width1",
         ),
-        // Dimensions that do not go together. Ball diameter 6 by default.
+        // Dimensions that do not fit together. Ball diameter 6 by default.
         (
             with(&pocket(), "cycle.sideClearance1", number(3.0)),
             "clearance-too-small cycle.sideClearance1",
@@ -302,7 +302,7 @@ fn each_problem_is_found_where_it_is() {
             with(&pocket(), "cycle.sideClearance2", number(60.0)),
             "approach-beyond-wall cycle.sideClearance2",
         ),
-        // 15 + 15·cos 160° = 0.9 is where the foot is; 15 + 12·cos 160° = 3.72 > 3 is free, 4 + 12·cos … is not.
+        // 15 + 15·cos 160° = 0.9 is the projection; 15 + 12·cos 160° = 3.72 > 3 is free, 4 + 12·cos … is not.
         (
             with(
                 &with(&corner(), "cycle.angle", number(160.0)),
@@ -431,7 +431,7 @@ fn unusual_values_and_near_misses_are_warnings() {
         warned(&with(&pocket(), "cycle.topClearance", number(3.0))),
         ["low-crossing cycle.topClearance"]
     );
-    // 6 mm further away than nominal, with 5 mm of overtravel: nothing is met on that wall.
+    // 6 mm further away than nominal, with 5 mm of overtravel: no contact on that wall.
     let job = with(
         &with(&pocket(), "part.sizes.width1", number(12.0)),
         "control.workOffset",
@@ -584,7 +584,7 @@ fn what_is_said_goes_out_as_its_template_and_its_values() {
     );
 }
 
-/// A finding at the control's name holds for every job: it comes with every cycle of a control and form, or with none that moves.
+/// A finding at the control's name holds for every job: it appears with every cycle of a control and form, or with none that moves.
 #[test]
 fn standing_findings_hold_for_every_job_of_a_control() {
     use std::collections::BTreeMap;

@@ -1,5 +1,4 @@
-//! The programs in `tests/programs`: each file says at its top, in comments, where it starts, what is known beside its text, and what must come out.
-//! `tests/README.md` has the notation.
+//! The programs in `tests/programs`. Comments at the top of each file give its start, its inputs, and the expected results. `tests/README.md` has the notation.
 
 use std::path::{Path, PathBuf};
 
@@ -10,18 +9,18 @@ use touchpath::import::toolpath::{
 };
 use touchpath::import::{Toolpath, read_program};
 
-/// How a text is read.
+/// Function that reads a text.
 #[derive(Clone, Copy, PartialEq)]
 enum Door {
-    /// `readProgram`: nothing is known beside it.
+    /// `readProgram`: without inputs.
     Read,
-    /// `runProgram`, with what is known.
+    /// `runProgram`, with inputs.
     Run,
     /// `importJob`: the strict reader.
     Import,
 }
 
-/// A program as a file has it, read through one door.
+/// A program of a file, read by one function.
 #[derive(Clone)]
 struct Case {
     door: Door,
@@ -35,11 +34,11 @@ struct Case {
     set: Vec<(String, f64)>,
     part: Option<Value>,
     files: Vec<(String, String)>,
-    /// What must come out: a key and its value.
+    /// Expected results: a key and its value.
     wanted: Vec<(String, String)>,
 }
 
-/// The header of a file and the program below it. The header is the comments at the top; `; program:` ends it where the program begins with one.
+/// The header of a file and the program below it. The header is the comments at the top; `; program:` ends it if the program itself begins with a comment.
 fn split(text: &str) -> (Vec<&str>, &str) {
     let mut rest = text;
     let mut header = Vec::new();
@@ -56,7 +55,7 @@ fn split(text: &str) -> (Vec<&str>, &str) {
     (header, rest)
 }
 
-/// The directives of a header, each with what its continued lines add. Sentences begin with a capital letter.
+/// The directives of a header with their continuation lines. Sentences begin with a capital letter.
 fn directives(header: &[&str]) -> Vec<(String, String)> {
     let mut found: Vec<(String, String)> = Vec::new();
     let mut prose = false;
@@ -103,7 +102,7 @@ fn place(text: &str) -> [f64; 3] {
         .unwrap_or_else(|_| panic!("{text:?} is not three numbers"))
 }
 
-/// `touch 0.5 positioning never`: where probing moves trigger.
+/// `touch 0.5 positioning never`: trigger points of probing moves.
 fn trips(case: &mut Case, text: &str) {
     let words: Vec<&str> = text.split_whitespace().collect();
     for pair in words.chunks(2) {
@@ -202,7 +201,7 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
     cases
 }
 
-/// A coordinate as the files write it: to a ten-thousandth, `?` where it is not known.
+/// A coordinate in the notation of the files: to a ten-thousandth, `?` if unknown.
 fn coordinate(x: f64) -> String {
     if x.is_nan() {
         "?".to_owned()
@@ -224,7 +223,7 @@ fn list(rows: impl IntoIterator<Item = String>, between: &str) -> String {
     }
 }
 
-/// `name:line` of a 0-based line, `line` alone in the program itself.
+/// `name:line` of a 0-based line; only the line in the program itself.
 fn line_of(case: &Case, file: u32, line: u32) -> String {
     match file {
         0 => (line + 1).to_string(),
@@ -244,7 +243,7 @@ fn numbered(lines: &[u32]) -> String {
     list(lines.iter().map(|line| (line + 1).to_string()), " ")
 }
 
-/// What is said of an argument of the first call that has it: its value and its meaning.
+/// Value and meaning of an argument in the first call that has it.
 fn argument(path: &Toolpath, name: &str) -> String {
     let found = path
         .calls
@@ -260,7 +259,7 @@ fn argument(path: &Toolpath, name: &str) -> String {
     })
 }
 
-/// `all hold`, or the rules that do not, or of which that is not known.
+/// `all hold`, or the rules that do not hold, or whose result is unknown.
 fn rules(path: &Toolpath) -> String {
     let states = path.rules.iter().filter(|rule| rule.holds != Some(true));
     let rows = states.map(|rule| {
@@ -280,7 +279,7 @@ fn rules(path: &Toolpath) -> String {
     }
 }
 
-/// A move; its feed where it is asked for.
+/// A move; with its feed if that is expected.
 fn moved(path: &Toolpath, index: usize, feed: bool) -> String {
     let kind = KINDS[usize::from(path.kind[index])];
     let feed = if feed {
@@ -291,7 +290,7 @@ fn moved(path: &Toolpath, index: usize, feed: bool) -> String {
     format!("{kind} {}{feed}", coordinates(path.end(index).to_array()))
 }
 
-/// What a program came to, in the notation of a key. Panics on a key that is not known.
+/// Result of a program in the notation of a key. Panics for an unknown key.
 fn found(path: &Toolpath, case: &Case, text: &str, key: &str, wanted: &str) -> String {
     let feed = wanted.contains(" F");
     let row = |index: usize| {
@@ -423,7 +422,7 @@ fn found(path: &Toolpath, case: &Case, text: &str, key: &str, wanted: &str) -> S
     }
 }
 
-/// `linuxcnc` where every move is that of LinuxCNC's interpreter, in which a probing move ends at its target.
+/// `linuxcnc` if every move equals that of LinuxCNC's interpreter, in which a probing move ends at its target.
 fn judged(path: &Toolpath, text: &str) -> String {
     let ran = match interpret(text) {
         Ok(ran) => ran,
@@ -434,7 +433,7 @@ fn judged(path: &Toolpath, text: &str) -> String {
     }
     for (index, other) in ran.moves.iter().enumerate() {
         let own = path.end(index).to_array();
-        // An axis that no block has named is at 0 there, and not known here.
+        // An axis that no block has moved is at 0 there, and unknown here.
         let near = |axis: usize| {
             (own[axis] - other.to[axis]).abs() < 1e-3 || own[axis].is_nan() && other.to[axis] == 0.0
         };
@@ -458,7 +457,7 @@ fn judged(path: &Toolpath, text: &str) -> String {
 /// A finding: its code, its message, its 0-based lines.
 type Said = (String, String, Vec<u32>);
 
-/// Whether some finding is as `code "text" in line N` says; `wanted` may leave out text and line.
+/// Whether some finding matches `code "text" in line N`; `wanted` may omit text and line.
 fn has_finding(findings: &[Said], wanted: &str) -> bool {
     let (code, rest) = wanted.split_once(' ').unwrap_or((wanted, ""));
     let part = rest
@@ -536,7 +535,7 @@ fn followed(case: &Case, text: &str) -> (Toolpath, Vec<Said>) {
     (path, findings)
 }
 
-/// What of a case is not as its file says.
+/// Differences between a case and its file.
 fn wrong(case: &Case, text: &str) -> Vec<String> {
     let import = case.door == Door::Import;
     let (moves, path, findings) = if import {
@@ -628,7 +627,7 @@ fn each_program_comes_to_what_its_file_says() {
     );
 }
 
-/// A runner that finds nothing wrong would prove nothing: each kind of expectation fails where it is not so.
+/// A runner that finds no difference would prove nothing: each kind of expectation must fail if it is wrong.
 #[test]
 fn a_wrong_expectation_is_found() {
     let text = "G21 G90\nG0 X1 Y2 Z3\nG38.2 Z-5 F50\nWHAT\nM2\n";

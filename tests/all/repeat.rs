@@ -1,4 +1,4 @@
-//! Points that are touched several times: means, how far the touches are apart, and what follows from that.
+//! Points that are touched several times: means, spread, and their consequences.
 
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
@@ -30,12 +30,12 @@ fn repeated(cycle: &str, post: &str, times: f64, more: &str) -> Value {
     )
 }
 
-/// How far touch k of a machine that repeats badly is off: a few micrometres, each another.
+/// Deviation of touch k of a machine with poor repeatability: a few micrometres, different for each.
 fn noise(k: usize) -> f64 {
     ((k * 7 + 3) % 11) as f64 * 1e-3
 }
 
-/// The triggers of a plan, each off by its noise along its probing direction.
+/// Triggers of a plan, each shifted by its noise along its probing direction.
 fn scattered(plan: &Plan) -> Vec<[f64; 3]> {
     let of = |(k, touch): (usize, &touchpath::job::TouchPoint)| {
         let trigger = plan.triggers[k].expect("every touch meets the part");
@@ -63,8 +63,8 @@ const CYCLES: [&str; 7] = [
     r#"{ "type": "wall-angle" }"#,
 ];
 
-/// LinuxCNC's interpreter, on touches that repeat badly: each result is that of a job without repeats for the means, and the spread is the largest
-/// distance between touches of one point, both by hand.
+/// LinuxCNC's interpreter with poorly repeating touches: each result equals that of a job without repeats for the means, and the spread is the largest distance
+/// between touches of one point, both by hand.
 #[test]
 fn means_count_and_the_spread_is_told() {
     for cycle in CYCLES {
@@ -91,7 +91,7 @@ fn means_count_and_the_spread_is_told() {
                     [0, 1, 2].map(|axis| same.iter().map(|p| p[axis]).sum::<f64>() / times as f64)
                 })
                 .collect();
-            // LinuxCNC fits a circle in plain arithmetic: the same triggers, written out, are what both are told.
+            // LinuxCNC fits a circle in basic arithmetic: both get the same triggers.
             let nominal = interpret(&ending_at(&planned(&once), |k| means[k])).unwrap();
             let (spread, results) = ran.prints.split_last().expect("results");
             assert_eq!(results.len(), nominal.prints.len(), "{cycle}");
@@ -114,7 +114,7 @@ fn means_count_and_the_spread_is_told() {
                 "{cycle}: {} apart, by hand {wanted}",
                 spread.1
             );
-            // And what the page makes of the points.
+            // And the page's results from the points.
             let rows = evaluate(&own, &points_of(&triggers)).unwrap();
             let row = rows.iter().find(|row| row.code == "spread").unwrap();
             assert!((row.value.unwrap() - wanted).abs() < 1e-6, "{cycle}");
@@ -123,7 +123,7 @@ fn means_count_and_the_spread_is_told() {
     }
 }
 
-/// One touch of twelve is 0.03 mm off the others of its point: every control stops and writes nothing. At 0.01 mm it writes.
+/// One touch of twelve is 0.03 mm from the others of its point: every control stops and writes nothing. At 0.01 mm it writes.
 #[test]
 fn touches_that_are_too_far_apart_stop_the_write() {
     let mut stopped = 0;
@@ -188,7 +188,7 @@ fn touches_that_are_too_far_apart_stop_the_write() {
     assert_eq!(stopped, 6 * computing().len());
 }
 
-/// The mean of n touches scatters by 1/√n of one, the eccentricity of the ball moves all of them alike.
+/// The mean of n touches scatters by 1/√n of one; the eccentricity of the ball moves all of them alike.
 #[test]
 fn the_uncertainty_is_that_of_a_mean() {
     for cycle in CYCLES {
@@ -235,8 +235,8 @@ fn the_uncertainty_is_that_of_a_mean() {
     }
 }
 
-/// Every cycle that touches, on every control with programs of moves: proven, the parameter table as without repeats, and the program's header gives
-/// the job back.
+/// Every cycle that touches, on every control with programs of moves: proven, with the parameter table as without repeats, and the program's header becomes the
+/// job again.
 #[test]
 fn every_cycle_repeats_on_every_control_that_is_given_moves() {
     let all = catalog();
@@ -271,7 +271,7 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
                 }
                 let three = planned(&own);
                 assert_eq!(three.touches.len(), 3 * one.touches.len());
-                // The table is the cycle's: each row of a touch names the first one of its point.
+                // The table is the cycle's: each row of a touch has the first one of its point.
                 for (row, own) in one.table.iter().zip(&three.table) {
                     assert_eq!(
                         (&row.code, &row.value),
@@ -304,7 +304,7 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
     assert!(planned_jobs > 60, "{planned_jobs}");
 }
 
-/// What 1411 says of the form of its circles is of the means, and a finding of a picked touch names the pick.
+/// The form errors of 1411 come from the means, and a finding about a picked touch has the number of the pick.
 #[test]
 fn what_is_beyond_the_formula_is_of_the_points() {
     let circles = r#"{ "type": "probing-two-circles", "probePoints": 4 }"#;
@@ -362,7 +362,7 @@ fn what_is_beyond_the_formula_is_of_the_points() {
     assert_eq!(many, one);
 }
 
-/// A tolerance of the spread may reach as far as its limit, and no farther; the points that extrusion probing touches are not repeated.
+/// A tolerance of the spread may reach its limit, and no farther; points of extrusion probing are not repeated.
 #[test]
 fn limits_of_the_spread_go_together() {
     let own = repeated(CYCLES[0], "linuxcnc", 2.0, "");
@@ -388,7 +388,7 @@ fn limits_of_the_spread_go_together() {
             "{tolerance} {action}: {found:?}"
         );
     }
-    // As with every result whose tolerance reaches as far as its limit.
+    // As for every result whose tolerance reaches its limit.
     let size = with(
         &own,
         "tolerances",
@@ -399,7 +399,7 @@ fn limits_of_the_spread_go_together() {
         "{:?}",
         check(&size)
     );
-    // The limit of the program is that of the job, whatever the tolerance.
+    // The limit of the program is that of the job, for any tolerance.
     assert!(
         planned(&with(
             &own,
@@ -424,7 +424,7 @@ fn limits_of_the_spread_go_together() {
     assert!(plan(&with(&circles, "cycle.extrusion", Value::Null)).is_ok());
 }
 
-/// In a set-up each cycle has its own, and its spread takes a tolerance as any result does.
+/// In a set-up each cycle has its own repeats, and its spread can have a tolerance like any result.
 #[test]
 fn a_cycle_of_a_set_up_repeats_for_itself() {
     let own = job(

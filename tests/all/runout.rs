@@ -1,4 +1,4 @@
-//! The ball off the spindle axis: what is stated against what the virtual part gives for every angle of the spindle.
+//! The ball off the spindle axis: stated values against the virtual part for every angle of the spindle.
 
 use crate::common::{job, number, planned, point, with};
 use touchpath::form::Value;
@@ -6,8 +6,8 @@ use touchpath::job::Plan;
 
 const RUNOUT: f64 = 0.02;
 
-/// The spread of every result over the angles of the spindle. A ball that is off the axis by e meets the part where a centred one meets a part that
-/// is off by −e: so the part of the job is moved, and the path and contacts of the crate give the machine position.
+/// Spread of every result over the angles of the spindle. A ball that is off the axis by e touches the part like a centred one touches a part shifted by −e: so
+/// the part of the job is moved, and the crate's path and contacts give the machine position.
 fn spread(job: &Value) -> Vec<(String, f64)> {
     const ANGLES: usize = 36;
     let offset = |angle: f64| match job.get("part").and_then(|part| part.get("offset")) {
@@ -52,7 +52,7 @@ fn spread(job: &Value) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Every stated share is the spread, to `off` of the eccentricity. Gives those that move by more than that.
+/// Every stated share equals the spread, within `off` of the eccentricity. Returns the results that move by more than that.
 fn agrees_within(text: &str, off: f64) -> Vec<(String, f64)> {
     let own = with(&job(text), "stylus.runout", number(RUNOUT));
     let plan = planned(&own);
@@ -76,12 +76,12 @@ fn agrees_within(text: &str, off: f64) -> Vec<(String, f64)> {
     moving
 }
 
-/// On the drawing's own part they agree to a thousandth: so far a round wall is not flat.
+/// On the nominal part they agree to a thousandth, the curvature of a round wall.
 fn agrees(text: &str) -> Vec<(String, f64)> {
     agrees_within(text, 1e-3)
 }
 
-/// A place comes e/√2 off along each axis, whatever its touches; a size, an angle and a direction do not change.
+/// A position has e/√2 along each axis, for any touches; a size, an angle and a direction do not change.
 #[test]
 fn places_move_and_sizes_do_not() {
     let place = RUNOUT / 2f64.sqrt();
@@ -135,8 +135,8 @@ fn places_move_and_sizes_do_not() {
     }
 }
 
-/// Measured features along one direction only: a groove turned by 30° is seen along u, so its middle moves by e/√2·cos 30° and e/√2·sin 30°. A slope
-/// of 60° is measured along its normal: e/√2·cos 60°, and its point moves along the normal.
+/// Features measured along one direction: a groove rotated by 30° is measured along u, so its middle moves by e/√2·cos 30° and e/√2·sin 30°. A slope of 60° is
+/// measured along its normal: e/√2·cos 60°, and its point moves along the normal.
 #[test]
 fn one_direction_takes_its_share() {
     let place = RUNOUT / 2f64.sqrt();
@@ -165,7 +165,7 @@ fn one_direction_takes_its_share() {
     );
 }
 
-/// 1411: both circles move alike, so the rotation does not change; repeated touches move alike, too, where their scatter would shrink.
+/// 1411: both circles move alike, so the rotation does not change; repeated touches move alike, too, whereas their scatter would shrink.
 #[test]
 fn two_circles_move_together() {
     for extrusion in [
@@ -195,7 +195,7 @@ fn two_circles_move_together() {
     }
 }
 
-/// A part that lies elsewhere is touched a little askew, which the stated share leaves out: 3 % are seen, of a hole 0.5 mm off its middle.
+/// A displaced part is touched slightly askew, which the stated share omits: 3 % for a hole 0.5 mm off its centre.
 #[test]
 fn a_displaced_part_changes_little() {
     let part = r#""part": { "offset": [0.4, -0.3, 0], "rotation": 0.5 }"#;
@@ -216,8 +216,8 @@ fn a_displaced_part_changes_little() {
     }
 }
 
-/// Scatter and eccentricity are independent: their squares add up. Turned to the angle of calibration the spindle takes it out, and without a number
-/// there is none.
+/// Repeatability and eccentricity are independent: their squares add up. At the angle of calibration the eccentricity has no effect, and without a value there
+/// is none.
 #[test]
 fn it_adds_to_the_scatter_and_calibration_takes_it_out() {
     let pocket = job(
@@ -235,7 +235,7 @@ fn it_adds_to_the_scatter_and_calibration_takes_it_out() {
         (oriented.uncertainty, oriented.uncertainty_runout),
         (Some(alone), None)
     );
-    // A large eccentricity is not the fault of the touches.
+    // The finding must not blame the touches for a large eccentricity.
     assert!(
         planned(&with(&pocket, "stylus.runout", number(0.1)))
             .findings

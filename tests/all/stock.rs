@@ -157,7 +157,7 @@ fn the_way_between_features_is_above_the_stock() {
     assert!(values.last().unwrap().starts_with("X 10.27"), "{values:?}");
 }
 
-/// The same block 1.5 mm higher on the machine: its top is at Z11.5, and the program goes across at Z13 as on the drawing.
+/// The same block 1.5 mm higher on the machine: its top is at Z11.5, and the program moves across at Z13 as on the drawing.
 #[test]
 fn the_way_between_features_is_checked_on_the_displaced_part_too() {
     let holes = |part: &str| {

@@ -1,4 +1,4 @@
-//! Shank and probe body against the part: by hand, and against points on the cylinders.
+//! Shank and probe body against the part: by hand, and with points on the cylinders.
 
 use crate::common::{job, number, planned, point, values, with};
 use touchpath::form::{Finding, Level, Value};
@@ -11,7 +11,7 @@ fn found(job: &Value, code: &str) -> Vec<Finding> {
     check(job).into_iter().filter(|f| f.code == code).collect()
 }
 
-/// Whether a place that is named has this coordinate.
+/// Whether a finding has a position with this coordinate.
 fn says(finding: &Finding, coordinate: &str) -> bool {
     values(finding)
         .iter()
@@ -27,8 +27,8 @@ fn pocket(stylus: &str, cycle: &str) -> Value {
     ))
 }
 
-/// The body is 40 wide. In front of the wall the ball is 8 from it: at a depth beyond the length the body reaches below the top side, and 20 reaches over
-/// the wall. At the length itself it is on the top side's level, and clears it.
+/// The body is 40 wide. In front of the wall the ball is 8 from it: at a depth beyond the length the body is below the top side, and its radius of 20 extends
+/// over the wall. At the length itself it is level with the top side and clears it.
 #[test]
 fn the_body_meets_the_top_of_a_deep_pocket() {
     let deep = |depth: f64| {
@@ -46,16 +46,16 @@ fn the_body_meets_the_top_of_a_deep_pocket() {
         (finding.level, finding.path.as_str()),
         (Level::Error, "stylus.length")
     );
-    // Down from 10 above: the ball centre is 50 below the top side when the body comes to it.
+    // Down from 10 above: the ball centre is 50 below the top side when the body reaches it.
     assert_eq!(
         values(finding),
         ["4", "3", "X 32, Y 0, Z -50", "50 mm", "50.01 mm"]
     );
     assert_eq!(found(&deep(50.01), "stylus-not-known"), []);
-    // A body that fits between the walls goes in: 32 + 8 wide at most.
+    // A body that fits between the walls enters: at most 32 + 8 wide.
     let narrow = |body: f64| with(&deep(60.0), "stylus.body", number(body));
     assert_eq!(found(&narrow(5.9), "shank-collision"), []);
-    // The touch brings the ball to 3 from the wall: a body of 6.1 meets it then, with 60 the depth of the touch.
+    // The touch moves the ball to 3 from the wall: a body of 6.1 collides then, at the depth of the touch.
     let [finding] = &found(&narrow(6.1), "shank-collision")[..] else {
         panic!()
     };
@@ -63,7 +63,7 @@ fn the_body_meets_the_top_of_a_deep_pocket() {
     assert_eq!(values(finding)[..4], ["5", "4", "1", "X 36.95, Y 0, Z -60"]);
 }
 
-/// A shank thicker than the ball meets the wall before the ball: 6.2 wide, at 3.1 from it, 0.1 before the contact. As thick as the ball it does not.
+/// A shank thicker than the ball touches the wall before the ball: 6.2 wide, at 3.1 from it, 0.1 before the contact. A shank as thick as the ball does not.
 #[test]
 fn a_thick_shank_meets_the_wall_first() {
     assert_eq!(found(&pocket(r#""shank": 6"#, ""), "shank-collision"), []);
@@ -78,12 +78,12 @@ fn a_thick_shank_meets_the_wall_first() {
         values(finding),
         ["5", "4", "1", "X 36.9, Y 0, Z -10", "6.2 mm", "6 mm"]
     );
-    // A corner knows no top side: its walls are at least as high as they are touched, and the shank begins there.
+    // A corner has no top side: its walls are at least as high as their touches, and the shank begins there.
     let corner = r#"{ "format": 1, "stylus": { "diameter": 6, "shank": 6.2 }, "cycle": { "type": "double-wall-internal-corner" } }"#;
     assert_eq!(found(&job(corner), "shank-collision").len(), 1);
 }
 
-/// The ball goes 49.8 below the drawing's top side. On a part that lies 0.5 lower that is 49.3, on one that lies 0.5 higher 50.3: the body comes down on it.
+/// The ball moves 49.8 below the drawing's top side. On a part that is 0.5 lower that is 49.3, on one that is 0.5 higher 50.3: the body hits it.
 #[test]
 fn the_displaced_part_counts() {
     let near = with(
@@ -112,7 +112,7 @@ fn the_displaced_part_counts() {
     assert!(says(finding, "Z -49.5"), "{finding:?}");
 }
 
-/// What is not given is noted once, where the ball goes deeper than it is wide, and never taken for something.
+/// Missing values are noted once, where the ball moves deeper than its diameter, and never replaced by a guess.
 #[test]
 fn what_is_not_known_is_noted_once() {
     let [note] = &found(&pocket(r#""length": null"#, ""), "stylus-not-known")[..] else {
@@ -125,7 +125,7 @@ fn what_is_not_known_is_noted_once() {
     assert_eq!(values(note), ["10 mm"]);
     let shallow = with(&pocket(r#""length": 50"#, ""), "cycle.depth", number(6.0));
     assert_eq!(found(&shallow, "stylus-not-known"), []);
-    // Heights that the cycle does not say: a corner, and the objects of 1411.
+    // Heights that the cycle does not specify: a corner, and the objects of 1411.
     for cycle in [
         "double-wall-external-corner",
         "triple-wall-internal-corner",
@@ -149,8 +149,8 @@ fn what_is_not_known_is_noted_once() {
     );
 }
 
-/// Holes and bosses by hand: a hole of 40, touched 30 deep with a stylus of 20. The body of 30 fits in the middle, and not at the wall (17 + 15 > 20);
-/// beside a boss it reaches over it.
+/// Holes and bosses by hand: a hole of 40, touched 30 deep with a stylus of 20. The body of 30 fits in the middle, and not at the wall (17 + 15 > 20); beside a
+/// boss it extends over it.
 #[test]
 fn holes_and_bosses() {
     let round = |cycle: &str, body: f64| {
@@ -163,13 +163,13 @@ fn holes_and_bosses() {
             .map(|f| (values(&f), f.path))
             .collect::<Vec<_>>()
     };
-    // The hole is entered in the middle: 15 < 20; on the way to the wall 5 + 15 = 20.
+    // The hole is entered in the middle: 15 < 20; on the approach to the wall 5 + 15 = 20.
     let [(said, path)] = &round("hole", 30.0)[..] else {
         panic!()
     };
     assert_eq!(path, "stylus.length");
     assert_eq!(said[2..4], ["1", "X 5, Y 0, Z -30"]);
-    // Too wide for the hole: it comes down on the plate.
+    // Too wide for the hole: it hits the plate.
     let [(said, path)] = &round("hole", 41.0)[..] else {
         panic!()
     };
@@ -189,7 +189,7 @@ fn holes_and_bosses() {
     assert_eq!(round("boss", 5.9), []);
 }
 
-/// Turned, in every plane, in inch: the same stylus meets the same part.
+/// Rotated, in every plane, in inch: the same stylus collides at the same positions.
 #[test]
 fn planes_turns_and_inches() {
     let deep = with(
@@ -224,7 +224,7 @@ fn planes_turns_and_inches() {
     }
 }
 
-/// Whether a point lies in the material of a surface's body.
+/// Whether a point is in the material of a surface's body.
 fn is_inside(surfaces: &[Surface], p: Vec3, up: Vec3) -> bool {
     let flat = |body: usize| {
         let mut walls = surfaces
@@ -258,8 +258,8 @@ fn is_inside(surfaces: &[Surface], p: Vec3, up: Vec3) -> bool {
     (0..surfaces.len()).any(flat) || surfaces.iter().any(round)
 }
 
-/// Points on the skin of both cylinders, at places along every move: where one lies in the material, a collision is found no later than there, and
-/// where one is found, its place is at the skin of the material.
+/// Points on the skin of both cylinders, at positions along every move: if one is in the material, a collision is found no later than there; if a collision is
+/// found, its position is at the skin of the material.
 #[test]
 fn points_on_the_cylinders_agree() {
     let mut met = 0;
@@ -276,7 +276,7 @@ fn points_on_the_cylinders_agree() {
         "triple-wall-external-corner",
     ];
     for (k, cycle) in cycles.into_iter().cycle().take(9 * 12).enumerate() {
-        // Anything, the same in every run.
+        // Random values, the same in every run.
         let draw = |n: usize, low: f64, high: f64| {
             low + (high - low) * (((k * 7919 + n * 104_729) % 1009) as f64 / 1009.0)
         };
@@ -306,7 +306,7 @@ fn points_on_the_cylinders_agree() {
         };
         let found = part::stylus_collision(&path, &surfaces, &shape, checked.setup.radius, &run);
         let topped = path.top.is_some();
-        // The deepest that a point of a cylinder lies in material, at this place of the ball.
+        // Deepest point of a cylinder in the material, at this position of the ball.
         let in_part = |center: Vec3, shrink: f64| {
             [
                 (shape.shank.unwrap(), 0.0, true),
@@ -368,7 +368,7 @@ fn points_on_the_cylinders_agree() {
     assert!(met > 30 && clear > 10, "{met} {clear}");
 }
 
-/// The picture shows what is given, from the side and not from the top, in its true size: from the front a shank of 4 × 50 with a body of 40 above.
+/// The picture shows the given parts, from the side and not from the top, in true size: from the front a shank of 4 × 50 with a body of 40 above.
 #[test]
 fn the_stylus_is_seen_from_the_side() {
     use touchpath::job::Projection;

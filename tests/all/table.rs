@@ -177,7 +177,7 @@ fn type_13_starts_where_both_clearances_meet() {
     near(plan.moves[1].to[0], 10.0);
     near(plan.moves[1].to[1], 19.629_909_15);
     near(plan.touches[0].point[1], 19.629_909_15);
-    // Wall 2 runs along (sin 60°, cos 60°): its first touch lies 18.475209 along it.
+    // Wall 2 is along (sin 60°, cos 60°): its first touch is 18.475209 along it.
     let foot = 18.475_208_61;
     near(plan.touches[2].point[0], foot * 0.866_025_403_8);
     near(plan.touches[2].point[1], foot * 0.5);
@@ -203,7 +203,7 @@ fn the_table_as_text_csv_and_json() {
         csv.starts_with("code,type,value,meaning\nCmdPrm.Int[-1],Integer,7,Probing cycle type")
     );
     assert!(csv.contains("\nCmdPrm.Flt[-53],Double,80,\"Width 1, from touch point 1 to touch point 2, along the first direction of the rectangle\"\n"), "{csv}");
-    // A reader of JSON that is not ours gives the same rows.
+    // Another JSON reader returns the same rows.
     let json: serde_json::Value =
         serde_json::from_str(&touchpath::describe::export_table(&plan, "json").unwrap()).unwrap();
     for (row, read) in plan.table.iter().zip(json.as_array().unwrap()) {
@@ -222,7 +222,7 @@ fn the_table_as_text_csv_and_json() {
     );
 }
 
-/// The code is the parameter's; a text goes into the program as QS of that number, with a point, as the row says.
+/// The code is that of the parameter; a text is written as QS with that number, with a decimal point, as in the row.
 #[test]
 fn a_tolerance_is_one_text_in_table_and_program() {
     let plan = planned(&job(

@@ -1,4 +1,4 @@
-//! The tolerances of results: what a program does with a value out of one, and what the page says of it.
+//! Tolerances of results: the reaction of a program, and the findings of the page.
 
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
@@ -23,7 +23,7 @@ fn text_at<'v>(job: &'v Value, keys: &[&str]) -> &'v str {
     }
 }
 
-/// How the program ends on its virtual part: the alarm, whether it writes, and what it says.
+/// End of the program on its virtual part: the alarm, whether it writes, and its messages.
 fn run(plan: &Plan) -> (bool, bool, String) {
     match plan.program.post {
         "linuxcnc" => {
@@ -101,8 +101,7 @@ fn a_result_out_of_its_tolerance_stops_the_program_or_is_marked_or_only_judged()
     }
 }
 
-/// A path that ends with a retract that nothing watches: the control waits for standstill before it asks, since its alarm would stop the ball on the
-/// way.
+/// A path that ends with an unwatched retract: the control waits for standstill before the check, because its alarm would stop the ball during the retract.
 #[test]
 fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
     let short = |post: &str, then: &str| {
@@ -124,7 +123,7 @@ fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
     }
 }
 
-/// A program without consequences is that of a job without tolerances, but for its header.
+/// A program without actions equals that of a job without tolerances, except for its header.
 #[test]
 fn a_tolerance_that_nothing_follows_from_changes_no_block() {
     for post in computing() {
@@ -234,7 +233,7 @@ fn the_plan_says_what_the_program_would_do_on_the_virtual_part() {
     );
 }
 
-/// In a set-up results are named after their cycles, and each acts for itself.
+/// In a set-up results have the names of their cycles, and each cycle acts on its own.
 #[test]
 fn every_cycle_of_a_set_up_has_its_own() {
     let job = |left: f64, right: f64| {
@@ -389,7 +388,7 @@ fn what_is_no_tolerance_is_said_at_its_place() {
     );
 }
 
-/// A program that cannot compare is refused what follows, and judged by its reader.
+/// For a program that cannot compare, actions are refused, and the page judges the results.
 #[test]
 fn a_control_that_cannot_compare_is_not_asked_to() {
     let moves = without(&of_moves(), &computing())
@@ -447,7 +446,7 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
             "{post}"
         );
         assert_eq!(planned(&back).program.text, plan.program.text, "{post}");
-        // What a comment cannot hold is written otherwise, and is the same.
+        // Characters that a comment cannot contain are written differently and read back.
         let signs = r#"{ "diameter": { "tolerance": "25 ±0,02" }, "center.x": { "tolerance": "+0.1/-.2", "action": "mark" } }"#;
         let plan = planned(&with(
             &bore(post, "1", "stop", 0.0),
@@ -491,7 +490,7 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
     for (a, b) in limits(&mm).iter().zip(limits(&inch)) {
         assert!((a - b * 25.4).abs() < 1e-4, "{a} {b}");
     }
-    // An angle is one in any units.
+    // An angle is the same in any units.
     let wall = default_job("wall-angle").unwrap();
     let wall = with(
         &wall,
@@ -505,7 +504,7 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
         ),
         "±0.5"
     );
-    // What is converted by its name is every angle that there is.
+    // The conversion by name covers every angle.
     for code in RESULT_CODES.iter().filter(|code| !code.starts_with('Q')) {
         let angle = code.ends_with("rotation") || code.ends_with("angle") || *code == "table.turn";
         let lengths = [
@@ -535,7 +534,7 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
     }
 }
 
-/// One size limit holds for all cycles of a set-up: the widest tolerance decides, whichever cycle has it.
+/// One size limit holds for all cycles of a set-up: the widest tolerance of any cycle decides.
 #[test]
 fn a_set_up_without_a_size_limit_has_room_for_its_widest_tolerance() {
     let set_up = |first: &str, second: &str, limits: &str| {
@@ -545,7 +544,7 @@ fn a_set_up_without_a_size_limit_has_room_for_its_widest_tolerance() {
                 {{ "type": "internal-rectangle", "width1": "{second}", "origin": [100, 0, 0] }} ] }}"#
         ))
     };
-    // By hand: 1.5 mm of the tolerance and 0.5 mm beyond it.
+    // By hand: 1.5 mm of the tolerance plus 0.5 mm.
     for (first, second) in [("25 H7", "60 ±1.5"), ("25 +1.5 -0.2", "60 H7")] {
         let free = set_up(first, second, "");
         let given = set_up(first, second, r#""limits": { "size": 2 },"#);
@@ -553,7 +552,7 @@ fn a_set_up_without_a_size_limit_has_room_for_its_widest_tolerance() {
     }
 }
 
-/// A hole whose size is written so, on a control, with more beside it.
+/// A hole with this text as its size, on a control, with further fields.
 fn hole(size: &str, post: &str, more: &str) -> Value {
     job(&format!(
         r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": {size} }}, "limits": {{ "size": 0.5 }},
@@ -561,7 +560,7 @@ fn hole(size: &str, post: &str, more: &str) -> Value {
     ))
 }
 
-/// A drawing's size is a number and a tolerance: the program is that of the two.
+/// A drawing's size is a number and a tolerance: the program is the same as with both separately.
 #[test]
 fn a_size_that_says_its_tolerance_is_that_size_with_that_tolerance() {
     for post in computing() {
@@ -597,7 +596,7 @@ fn a_size_that_says_its_tolerance_is_that_size_with_that_tolerance() {
             (limits[0] - low).abs() < 1e-9 && (limits[1] - high).abs() < 1e-9,
             "{text}: {limits:?}"
         );
-        // The part that nothing is said of is in the middle of the zone.
+        // A part without deviations is in the middle of the zone.
         assert!(
             (row.value.unwrap() - f64::midpoint(low, high)).abs() < 1e-9,
             "{text}"
@@ -621,7 +620,7 @@ fn a_size_that_says_its_tolerance_is_that_size_with_that_tolerance() {
     );
 }
 
-/// The limit that is not given lies 0.5 mm beyond the zone.
+/// The default limit is 0.5 mm beyond the zone.
 #[test]
 fn what_is_implausible_follows_from_a_size_with_a_tolerance() {
     for (units, size, part, stops) in [
@@ -638,7 +637,7 @@ fn what_is_implausible_follows_from_a_size_with_a_tolerance() {
         ));
         let plan = planned(&job);
         assert_eq!(run(&plan).0, stops, "{size} {part}");
-        // The header says it: the program that is read back is the same.
+        // The header contains it: the program that is read back is the same.
         let read = import(&plan.program.text).unwrap().job;
         assert_eq!(planned(&read).program.text, plan.program.text, "{size}");
     }

@@ -1,4 +1,4 @@
-//! Tools that a macro corrects by what it measures: the letters of its call, what is refused, and what the header says.
+//! Tools that a macro corrects from its measurement: the letters of its call, refusals, and the header.
 
 use crate::common::{import, job, planned, with};
 use crate::tests::controls::{calling, calling_macros_as_a_fanuc, correcting_tools, without};
@@ -25,7 +25,8 @@ fn refused(job: &Value) -> Vec<String> {
         .collect()
 }
 
-/// The letters of the reference sheets: T the offset, F the share, V the dead band, which a measuring macro compares with half of the error; 9835 has M, the offsets that keep the values, and C, the parts.
+/// Letters of the reference sheets: T the offset, F the share, V the dead band, which a measuring macro compares with half of the error; 9835 has M, the
+/// offsets that store the values, and C, the parts.
 #[test]
 fn the_macro_gets_the_tool_in_its_own_letters() {
     let whole = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005 }"#;
@@ -70,7 +71,7 @@ fn the_macro_gets_the_tool_in_its_own_letters() {
         "G65 P9835 T5. M20. C4. V0.005",
         "the mean compares the whole error"
     );
-    // The mean may empty what the measuring macro gave: it is kept before.
+    // The mean may clear results of the measuring macro: they are saved before.
     let plan = planned(&bore("haas", mean, 0.03));
     let row = plan
         .results
@@ -92,7 +93,7 @@ fn the_macro_gets_the_tool_in_its_own_letters() {
     );
 }
 
-/// Only the call of the size that has it, in a rectangle and in a set-up.
+/// Only in the call of its size, in a rectangle and in a set-up.
 #[test]
 fn only_the_call_of_that_size_corrects() {
     let text = r#"{ "format": 2, "control": { "post": "haas", "form": "cycle" },
@@ -121,7 +122,7 @@ fn only_the_call_of_that_size_corrects() {
         "the name of an only cycle may be left out"
     );
     assert_eq!(plan.program.does, "corrects tool offset 8");
-    // Beside a work offset that the last cycle writes both are said.
+    // With a work offset that the last cycle writes, both are reported.
     let both = text
         .replace(
             "\"form\": \"cycle\"",
@@ -209,7 +210,7 @@ fn what_becomes_of_the_offset_is_said() {
     );
 }
 
-/// H7 of 25 is 0 to 0.021: corrected towards 25 the bores would lie at the edge of their zone.
+/// H7 of 25 is 0 to 0.021: corrected towards 25 the bores would be at the edge of their zone.
 #[test]
 fn a_nominal_value_at_the_edge_of_its_zone_is_a_warning() {
     let warned = |tolerance: &str| {
@@ -325,7 +326,7 @@ fn what_cannot_be_corrected_is_refused() {
     }
 }
 
-/// The header says it, and it comes back; in inch the dead band is the same length.
+/// The header contains it, and it is read back; in inch the dead band is the same length.
 #[test]
 fn it_comes_back_from_the_header_and_is_converted() {
     let mean = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005, "parts": 3, "store": 20 }"#;
@@ -345,12 +346,12 @@ fn it_comes_back_from_the_header_and_is_converted() {
         }
         assert_eq!(planned(&back).program.text, text, "{post}");
     }
-    // `null` leaves nothing in the header.
+    // `null` adds nothing to the header.
     let none = bore("heidenhain", "null", 0.0);
     let text = planned(&none).program.text;
     assert!(!text.contains("wear"), "{text}");
     assert_eq!(planned(&import(&text).unwrap().job).program.text, text);
-    // In inch as long as in mm: a band that is good in one is good in the other.
+    // In inch as long as in mm: a band that is valid in one is valid in the other.
     let wide = convert_units(
         &bore("haas", r#"{ "tool": 5, "deadBand": 1 }"#, 0.0),
         "inch",

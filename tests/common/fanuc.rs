@@ -1,41 +1,41 @@
-//! A Fanuc, or a Haas, of our own: it runs the text of a program line by line, with its own arithmetic, its own jumps and a probe that meets
-//! what a test puts in its way. It shares nothing with the crate.
+//! Simulated Fanuc or Haas: runs the text of a program line by line, with its own arithmetic, jumps and a probe whose contacts a test sets. It shares no code
+//! with the crate.
 
 use std::collections::HashMap;
 
-/// A control with a part in it. Places are of the work offset that is active, in the units of the program.
+/// A control with a part. Positions are in the active work offset, in the units of the program.
 #[derive(Clone, Debug)]
 pub struct Control {
     pub haas: bool,
-    /// Variables that the program has set, and those that the control has.
+    /// Variables that the program has set, and variables of the control.
     pub variables: HashMap<i64, f64>,
-    /// Length of the tool, and whether #5043 and #5063 have it in them: parameter 6014 bit 4 of a Fanuc takes it out.
+    /// Length of the tool, and whether #5043 and #5063 include it: parameter 6014 bit 4 of a Fanuc excludes it.
     pub length: f64,
     pub length_included: bool,
-    /// Where the ball is.
+    /// Position of the ball.
     pub at: [f64; 3],
-    /// Where the ball meets something next, in this order.
+    /// Next contacts of the ball, in this order.
     pub contacts: Vec<[f64; 3]>,
-    /// The number of a move (as #149 has it) that is stopped half-way by something.
+    /// Number of the move (#149) that an obstacle stops half-way.
     pub blocked: Option<f64>,
-    /// The number of a move as which sets out the probe signals, for nothing.
+    /// Number of the move at whose start the probe signals falsely.
     pub early: Option<f64>,
-    /// Whether ATAN gives 0 to 360 rather than -180 to 180 degrees, as parameter 6004 bit 0 says.
+    /// Whether ATAN returns 0 to 360 instead of -180 to 180 degrees: parameter 6004 bit 0.
     pub full_circle: bool,
     /// Modal codes: 4006 units, 4008 length, 4011 scale, 4016 rotation, 4017 polar, 4022 mirror; 4111 is the number of the length.
     pub modal: [(i64, f64); 7],
-    /// How many times M0 stopped it, to be started again.
+    /// Number of times that M0 stopped it and it was restarted.
     pub stops: usize,
     /// Ends of all motions, and whether each was a G31.
     pub path: Vec<([f64; 3], bool)>,
-    /// What stopped it: number and text, or the control's own alarm.
+    /// Cause of the stop: number and text, or the control's own alarm.
     pub alarm: Option<String>,
-    /// What it showed and waited at.
+    /// Messages at which it waited.
     pub messages: Vec<String>,
     /// Writes to origins of work offsets, in order.
     pub writes: Vec<i64>,
     pub offset: String,
-    /// Whether the block before moved: a control evaluates the next one while it still does.
+    /// Whether the previous block moved: a control evaluates the next block during the motion.
     moving: bool,
 }
 
@@ -85,7 +85,7 @@ impl Control {
             }
             let code = full.split('(').next().unwrap().trim();
             next += 1;
-            // Labels and comments are no time.
+            // Labels and comments take no time.
             let empty = code.is_empty() || code == "%" || code.starts_with('N');
             if self.moving
                 && !empty
@@ -181,14 +181,14 @@ impl Control {
         Err("does not end".to_owned())
     }
 
-    /// Runs a block of words; whether the program is over.
+    /// Runs a block of words; returns whether the program has ended.
     fn words(&mut self, code: &str) -> Result<bool, String> {
         let words: Vec<&str> = code.split(' ').collect();
         let (mut to, mut feed, mut motion, mut axes) = (self.at, None, "", 0);
         let (mut free, mut must) = (false, false);
         for word in &words {
             let number = |word: &str| -> Result<f64, String> {
-                // Without its point a number counts in the smallest step.
+                // Without a decimal point a number counts in the smallest increment.
                 if word.contains('.') {
                     word[1..]
                         .parse()
@@ -224,7 +224,7 @@ impl Control {
                     "M78" if self.haas => free = true,
                     "M79" if self.haas => must = true,
                     "M0" => self.stops += 1,
-                    // A Haas takes the angle, a Fanuc turns to the one that is set.
+                    // A Haas uses the angle, a Fanuc turns to its set angle.
                     "M19" => {}
                     _ if word.starts_with('R') && self.haas && words[0] == "M19" => {}
                     "POPEN" | "PCLOS" => {}
@@ -291,7 +291,7 @@ impl Control {
         Ok(match number {
             5041..=5043 => self.at[(number - 5041) as usize] + self.bias((number - 5041) as usize),
             5083 if self.haas => self.length,
-            // Wear and length of tool 7, of two kinds of memory.
+            // Wear and length of tool 7, in two kinds of memory.
             2007 if !self.haas => 0.25,
             2207 if !self.haas => self.length - 0.25,
             4006..=4022 | 4111 => self
@@ -405,7 +405,7 @@ fn digits(rest: &mut &[u8]) -> String {
     String::from_utf8_lossy(taken).into_owned()
 }
 
-/// Whether a place is on the way from one to another, but for the last digits.
+/// Whether a position is on the line between two others, within the last digits.
 pub fn on_the_way(from: [f64; 3], to: [f64; 3], place: [f64; 3]) -> bool {
     let way = [0, 1, 2].map(|i| to[i] - from[i]);
     let off = [0, 1, 2].map(|i| place[i] - from[i]);

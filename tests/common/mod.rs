@@ -1,4 +1,4 @@
-//! What the tests share: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
+//! Shared by the tests: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
 #![allow(dead_code, reason = "each test file uses its part")]
 
 pub mod fanuc;
@@ -15,7 +15,7 @@ use touchpath::import::{Imported, TraceRow};
 use touchpath::job::{JobError, Plan, from_json, plan};
 use touchpath::text::{Part, Text};
 
-/// The numbers and names in the message of a finding, in their order, without the words around them: what a test asks that is not about the sentence.
+/// Numbers and names in the message of a finding, in order, without the words around them: for tests that do not depend on the sentence.
 pub fn values(finding: &Finding) -> Vec<String> {
     fn of(text: &Text, found: &mut Vec<String>) {
         for part in text.values() {
@@ -30,7 +30,7 @@ pub fn values(finding: &Finding) -> Vec<String> {
     found
 }
 
-/// A sequence of numbers from 0 to 1 that is the same in every run.
+/// A sequence of numbers from 0 to 1, the same in every run.
 pub struct Draws(pub u64);
 
 impl Draws {
@@ -51,7 +51,7 @@ impl Draws {
     }
 }
 
-/// Whether a block is nothing but words of a letter and a number, behind its number and a block skip.
+/// Whether a block consists only of words of a letter and a number, after its block number and a block skip.
 fn is_plain(mut code: &str) -> bool {
     let digits = |text: &str| {
         text.bytes()
@@ -76,7 +76,7 @@ fn is_plain(mut code: &str) -> bool {
     true
 }
 
-/// A program with a comment behind every block that is nothing but such words: it means the same, and its reader reads it word by word.
+/// A program with a comment after every such block: the meaning is the same, but its reader reads it word by word.
 pub fn with_comments(text: &str) -> String {
     text.split_inclusive('\n')
         .map(|line| {
@@ -91,7 +91,7 @@ pub fn with_comments(text: &str) -> String {
         .collect()
 }
 
-/// The jobs of the repository: name and value.
+/// Jobs of the repository: name and value.
 pub fn jobs() -> Vec<(String, Value)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/jobs");
     let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)
@@ -113,7 +113,7 @@ pub fn jobs() -> Vec<(String, Value)> {
         .collect()
 }
 
-/// The same job without limits of its results: what an interpreter without a part reads is not plausible.
+/// The job without limits of its results: the values that an interpreter reads without a part are implausible.
 pub fn unlimited(job: &Value) -> Value {
     ["position", "size", "angle", "residual"]
         .iter()
@@ -122,7 +122,7 @@ pub fn unlimited(job: &Value) -> Value {
         })
 }
 
-/// Those of the repository, likewise.
+/// Jobs of the repository, without limits.
 pub fn unlimited_jobs() -> Vec<(String, Value)> {
     jobs()
         .into_iter()
@@ -130,7 +130,7 @@ pub fn unlimited_jobs() -> Vec<(String, Value)> {
         .collect()
 }
 
-/// A plan that must be there.
+/// The plan of a job; panics without one.
 pub fn planned(job: &Value) -> Plan {
     plan(job).unwrap_or_else(|e| panic!("{:#?}", e.findings))
 }
@@ -140,7 +140,7 @@ pub fn job(text: &str) -> Value {
     from_json(text).expect("JSON")
 }
 
-/// What was made of a text, flat: `job` is null of a program of moves.
+/// Content of a text; `job` is null for a program of moves.
 #[derive(Debug)]
 pub struct Read {
     pub job: Value,
@@ -164,7 +164,7 @@ pub fn import(text: &str) -> Result<Read, JobError> {
     })
 }
 
-/// The same job with another value at a path such as `cycle.width1`.
+/// The job with another value at a path such as `cycle.width1`.
 pub fn with(job: &Value, path: &str, value: Value) -> Value {
     let (key, rest) = path
         .split_once('.')
@@ -202,7 +202,7 @@ pub fn number_at(job: &Value, path: &str, default: f64) -> f64 {
     }
 }
 
-/// One canonical move of the interpreter.
+/// A canonical move of the interpreter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canon {
     pub kind: &'static str,
@@ -212,25 +212,25 @@ pub struct Canon {
     pub arc: Option<([f64; 3], bool)>,
 }
 
-/// What the interpreter made of a program.
+/// Result of the interpreter for a program.
 #[derive(Clone, Debug, Default)]
 pub struct Interpreted {
     pub moves: Vec<Canon>,
     pub prints: Vec<(String, f64)>,
-    /// The offset that is set first after the last move, number and X, Y, Z: the program's write, where it has one.
+    /// First offset that is set after the last move, number and X, Y, Z: the write of the program, if it has one.
     pub written: Option<(usize, [f64; 3])>,
-    /// The rotation that goes with it.
+    /// Rotation of that offset.
     pub rotation: Option<f64>,
     /// Every offset set after the last move and before the modes are restored.
     pub offsets_after_moves: Vec<[f64; 3]>,
-    /// Every rotation, likewise.
+    /// Every such rotation.
     pub rotations_after_moves: Vec<f64>,
     pub inch: bool,
-    /// What is shown on the screen and is no result.
+    /// Messages on the screen that are no results.
     pub messages: Vec<String>,
 }
 
-/// Runs a program through LinuxCNC's interpreter. The error is what it says on a program it refuses.
+/// Runs a program through LinuxCNC's interpreter. The error is its message for a refused program.
 pub fn interpret(program: &str) -> Result<Interpreted, String> {
     match interpret_until_stop(program) {
         (ran, None) => Ok(ran),
@@ -238,13 +238,13 @@ pub fn interpret(program: &str) -> Result<Interpreted, String> {
     }
 }
 
-/// What the interpreter made of a program up to its end, or up to where it stopped with an error, and the error.
+/// Result of the interpreter up to the end of a program or up to an error, and the error.
 pub fn interpret_until_stop(program: &str) -> (Interpreted, Option<String>) {
     let (text, error) = run_interpreter(program);
     (read(&text), error.map(|why| format!("{text}{why}")))
 }
 
-/// A program for LinuxCNC whose touches end at these places, by their numbers: a probing move of its interpreter ends where its block ends.
+/// A program for LinuxCNC whose touches end at these positions, by number: a probing move of the interpreter ends at its target.
 pub fn ending_at(plan: &Plan, place: impl Fn(usize) -> [f64; 3]) -> String {
     let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
     for (index, step) in plan
@@ -260,14 +260,14 @@ pub fn ending_at(plan: &Plan, place: impl Fn(usize) -> [f64; 3]) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The same on the virtual part of the plan.
+/// The program for the virtual part of the plan.
 pub fn on_virtual_part(plan: &Plan) -> String {
     ending_at(plan, |k| {
         plan.triggers[k].expect("every touch meets the part")
     })
 }
 
-/// The canonical calls, a line each.
+/// The canonical calls, one per line.
 pub fn canonical(program: &str) -> Vec<String> {
     run_interpreter(program)
         .0
@@ -276,7 +276,7 @@ pub fn canonical(program: &str) -> Vec<String> {
         .collect()
 }
 
-/// The command of LinuxCNC's interpreter.
+/// Command of LinuxCNC's interpreter.
 fn interpreter() -> PathBuf {
     let command = std::env::var("RS274")
         .map(PathBuf::from)
@@ -303,7 +303,7 @@ fn own_folder() -> PathBuf {
     folder
 }
 
-/// What LinuxCNC's screens say of each program when it is loaded: `ok`, or why it is refused.
+/// Result of LinuxCNC's screens for each program when it is loaded: `ok`, or the reason of a refusal.
 pub fn preview(programs: &[&str]) -> Vec<String> {
     let command = interpreter();
     let root = command.parent().expect("its folder");
@@ -354,9 +354,9 @@ fn run_interpreter(program: &str) -> (String, Option<String>) {
         .arg("-v")
         .arg(file("empty.var", ""))
         .arg("-g")
-        // The command alone is no machine: it would take a program for one that is only drawn.
+        // The command alone simulates no machine: it would treat a program as a preview.
         .arg(file("program.ngc", &program.replace("#<_task>", "1")))
-        // It maps a tool table of its own from the home folder: two at once would share it and crash.
+        // It maps its tool table from the home folder: two parallel runs would share it and crash.
         .env("HOME", &folder)
         .stdin(std::process::Stdio::null())
         .output()
@@ -391,8 +391,7 @@ fn read(text: &str) -> Interpreted {
             .split(',')
             .filter_map(|n| n.trim().parse().ok())
             .collect();
-        // What is shown on the screen.
-        // One result, or several with their names.
+        // Messages on the screen: one result, or several with their names.
         let message = rest.trim_matches(['"', ')']);
         if word == "MESSAGE" && message.contains('=') {
             let pairs: Vec<(&str, &str)> = message
@@ -445,7 +444,7 @@ fn read(text: &str) -> Interpreted {
                 found.rotation.get_or_insert(numbers[0]);
                 continue;
             }
-            // M72 gives the system back that was active before, by naming its units or its path control first.
+            // M72 restores the previous system, starting with its units or its path control.
             "SET_MOTION_CONTROL_MODE" | "SET_FEED_MODE" => {
                 given_back = !found.moves.is_empty();
                 continue;
@@ -487,7 +486,7 @@ fn read(text: &str) -> Interpreted {
     found
 }
 
-/// Runs a program with the ball where the job says it is before the start.
+/// Runs a program with the ball at the job's start position.
 pub fn interpret_from(program: &str, job: &Value) -> Result<Interpreted, String> {
     let start = match job.get("cycle").and_then(|c| c.get("start")) {
         Some(Value::List(items)) => [0, 1, 2].map(|i| {
@@ -525,8 +524,8 @@ pub fn watches(plan: &Plan) -> bool {
     plan.program.text.contains("G38.3")
 }
 
-/// Compares the interpreter's moves with the plan's: units, places within half a last digit of its print, kinds, feeds, count. To a first
-/// place that is reached from anywhere the ball comes in two or three moves; an arc that is watched is made of straight pieces on it.
+/// Compares the interpreter's moves with the plan's: units, positions within half a last digit of its print, kinds, feeds, number. An approach from an unknown
+/// position takes two or three moves; a watched arc is made of straight pieces on it.
 pub fn compare_moves(
     plan: &Plan,
     search: impl Fn(usize) -> f64,
@@ -546,7 +545,7 @@ pub fn compare_moves(
     if known_start {
         return compare_rest(plan, &search, &ran.moves, 0);
     }
-    // Up where the stylus is lower, across, down.
+    // Up if the stylus is lower, across, down.
     let mut why = "the first place is not reached".to_owned();
     for steps in [3, 2] {
         let Some((approach, rest)) = ran.moves.split_at_checked(steps) else {
@@ -600,7 +599,7 @@ fn compare_rest(
                 ("position", ..) if watched && short => &["feed", "probe"],
                 ("position", ..) if watched => &["probe"],
                 (.., Some(_)) => &["arc"],
-                // A rapid with a rate of its own runs as a feed move.
+                // A rapid with a stated rate runs as a feed move.
                 (_, "rapid", None) if known_start => &["rapid", "feed"],
                 (_, "rapid", None) => &["rapid"],
                 (.., None) => &["feed"],
@@ -638,8 +637,8 @@ fn compare_rest(
     }
 }
 
-/// Compares a SINUMERIK program's path with the plan's: purposes, places within the last digit it writes, numbers, and lines. An
-/// arc may be made of straight pieces that end on it.
+/// Compares a SINUMERIK program's path with the plan's: purposes, positions within its last digit, numbers, and lines. An arc may be made of straight pieces
+/// that end on it.
 pub fn compare_mpf(
     plan: &Plan,
     search: impl Fn(usize) -> f64,
@@ -698,8 +697,8 @@ pub fn compare_mpf(
     }
 }
 
-/// Asks a law of so many cases. Each says whether it reached its assertions, and at least `least` must: a law that hardly any case reaches proves nothing.
-/// Random cases can fall short of that by chance, so up to four times as many are asked.
+/// Tests a law with a number of cases. Each case returns whether it reached its assertions, and at least `least` must: a law that hardly any case reaches
+/// proves nothing. Because random cases can fall short by chance, up to four times as many are tried.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn law<S: Strategy>(
     cases: u32,

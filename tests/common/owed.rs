@@ -1,9 +1,9 @@
-//! What every plan owes, whatever job it is of. The property tests and the fuzzer ask the same.
+//! Properties of every plan, for any job. Property tests and fuzzer both use them.
 
 use touchpath::form::Value;
 use touchpath::job::{Move, Plan};
 
-/// A law by its name, and what is so; then what breaks it.
+/// A law by its name: the property, then the message if it is broken.
 macro_rules! owe {
     ($law:literal, $holds:expr $(,)?) => {{ let holds: bool = $holds; if !holds { return Err($law.to_owned()); } }};
     ($law:literal, $holds:expr, $($what:tt)+) => {{ let holds: bool = $holds; if !holds { return Err(format!("{}: {}", $law, format!($($what)+))); } }};
@@ -22,9 +22,9 @@ pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// What every plan owes.
+/// Properties of every plan.
 pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
-    // Only picks may differ in height: by a hundredth of a millimetre, in the job's units.
+    // Only picked touches may differ in height: by a hundredth of a millimetre, in the job's units.
     let picked = matches!(
         job.get("cycle").and_then(|c| c.get("touches")),
         Some(Value::List(_))
@@ -66,7 +66,7 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
         if step.kind == "touch" {
-            // A touch starts in front of its wall, ends at the contact, and goes back to where it began.
+            // A touch starts in front of its wall, ends at the contact, and returns to its start.
             let k = step.touch.unwrap();
             touched.push(k);
             let (before, back) = (&plan.moves[i - 1], &plan.moves[i + 1]);
@@ -80,7 +80,7 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
             let towards: f64 = (0..3)
                 .map(|a| (before.to[a] - step.to[a]) * vector[a])
                 .sum();
-            // Picked touches may run askew by a degree, and short ones aside by the hundredth that picks of one level may differ.
+            // Picked touches may be askew by a degree, and short ones by the hundredth that picks of one level may differ.
             let way = distance(before.to, step.to);
             let off = |a: usize| before.to[a] - step.to[a] - towards * vector[a];
             let aside = distance([off(0), off(1), off(2)], [0.0; 3]);
@@ -124,9 +124,9 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
         );
         return program_is_sane(plan);
     }
-    // It ends where it began, above the touches.
+    // It ends at its start, above the touches.
     for cycle in 0..plan.cycles.len().max(1) {
-        // Step 0 is the way from one cycle of a set-up to the next.
+        // Step 0 is the link move from one cycle of a set-up to the next.
         let moves: Vec<_> = plan
             .moves
             .iter()
@@ -139,7 +139,7 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
             "a path ends where it began",
             distance(first.to, last.to) < 1e-8
         );
-        // A move of a nanometre is none: the end may lie that much lower.
+        // A move of a nanometre is omitted: the end may be that much lower.
         owe!(
             "no move goes higher than the path ends",
             moves
@@ -147,12 +147,12 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
                 .all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6)
         );
     }
-    // Picks may lie beside their wall: contacts are made where that is.
+    // Picks may be beside their wall: contacts are at the wall.
     if picked && ["fanuc", "haas"].contains(&plan.program.post) {
         let nominal = super::with(job, "part", Value::Map(Vec::new()));
         let nominal =
             touchpath::job::plan(&nominal).map_err(|e| format!("on the nominal part: {e}"))?;
-        // A pick beside the part meets nothing there.
+        // A pick beside the part has no contact there.
         if let Some(contacts) = nominal.triggers.iter().copied().collect::<Option<Vec<_>>>() {
             return skip_is_sane_on(plan, contacts);
         }
@@ -160,7 +160,7 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
     program_is_sane(plan)
 }
 
-/// Whether it is the control's own two-circle cycle, which goes down at the probing feed and ends elsewhere than it began.
+/// Whether it is the native two-circle cycle, which moves down at the probing feed and does not end at its start.
 pub fn circles(plan: &Plan) -> bool {
     plan.results.iter().any(|r| r.code == "Q950")
 }
@@ -168,7 +168,7 @@ pub fn circles(plan: &Plan) -> bool {
 /// Judges the text of a program.
 type Judge = fn(&Plan) -> Result<(), String>;
 
-/// Who judges the programs of a control.
+/// Judge of a control's programs.
 pub fn judge(post: &str) -> Option<Judge> {
     match post {
         "linuxcnc" | "grbl" | "grblhal" | "fluidnc" => Some(rs274_is_sane),
@@ -253,7 +253,7 @@ fn dry_is_sane(plan: &Plan) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether a rapid that goes down runs at a feed, since nothing watches it.
+/// Whether a rapid that moves down runs at a feed because nothing watches it.
 fn like_grbl(plan: &Plan) -> bool {
     ["grbl", "grblhal", "fluidnc"].contains(&plan.program.post)
 }
@@ -288,7 +288,7 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
             ("position", ..) if i == 0 && !circles(plan) => &["o<tp_first>", "G0", "G1"],
             ("position", ..) if watched && (short || i == 0) => &["G1", "G38.3"],
             ("position", ..) if watched => &["G38.3"],
-            // A rapid with a rate of its own is a feed move; grbl goes down at a feed.
+            // A rapid with a stated rate is a feed move; grbl moves down at a feed.
             (_, "rapid", None) if circles(plan) || like_grbl(plan) => &["G0", "G1"],
             (_, "rapid", None) => &["G0"],
             (.., None) => &["G1"],
@@ -339,7 +339,7 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
             );
         }
     }
-    // Every block that moves belongs to a move of the path: but for the subroutines, the approach, and the pieces of arcs.
+    // Every block that moves belongs to a move of the path, except in subroutines, in the approach, and for pieces of arcs.
     let body = lines
         .iter()
         .rposition(|l| l.ends_with("endsub"))
@@ -411,11 +411,11 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
     Ok(())
 }
 
-/// Emit, read, and the path is there again; nothing moves unwatched; every line is within what the control takes.
+/// Writes, reads, and compares the path; nothing moves unwatched; every line has a length that the control accepts.
 fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
     let text = &plan.program.text;
     if text.contains("CYCLE977(") || text.contains("CYCLE978(") {
-        // The control makes the moves of its own cycle.
+        // The control makes the moves of its native cycle.
         let own = plan
             .moves
             .iter()
@@ -435,7 +435,7 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
         program.troubles(),
         []
     );
-    // How far each touch searches is not in the plan: its end must lie on its line, behind the contact.
+    // The search of each touch is not in the plan: its end must be on its line, past the contact.
     let ends = program.moves().map_err(|t| format!("{t:?}"))?;
     let ends: Vec<_> = ends
         .iter()
@@ -473,7 +473,7 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
     Ok(())
 }
 
-/// A program of calls: each protected move goes where the plan does, and the macros make the rest, each touch of them twice.
+/// A program of calls: each protected move ends like the plan's, and the macros make the rest, each touch of them twice.
 fn calls_are_sane(plan: &Plan) -> Result<(), String> {
     let lines: Vec<&str> = plan.program.text.lines().collect();
     let odd = |line: &&&str| {
@@ -510,7 +510,7 @@ fn calls_are_sane(plan: &Plan) -> Result<(), String> {
             if *at < 0 {
                 continue;
             }
-            // Heights are of the tip.
+            // Heights are those of the stylus tip.
             let there = (0..2).all(|axis| (place[axis] - step.to[axis]).abs() < near)
                 && place[2] <= step.to[2] + near;
             owe!(
@@ -553,7 +553,7 @@ fn calls_are_sane(plan: &Plan) -> Result<(), String> {
     Ok(())
 }
 
-/// A line's call of a macro by the number that most controls have, and its letters: an Okuma writes `CALL O9814 PD=25.`, a Brother has P8814.
+/// Macro call in a line, by the number that most controls use, and its letters: an Okuma writes `CALL O9814 PD=25.`, a Brother has P8814.
 pub fn macro_call(line: &str) -> Option<(u32, Vec<(char, f64)>)> {
     let okuma = line.starts_with("CALL O");
     let mut words = line
@@ -573,7 +573,7 @@ pub fn macro_call(line: &str) -> Option<(u32, Vec<(char, f64)>)> {
     Some((if number < 9000 { number + 1000 } else { number }, letters))
 }
 
-/// On the nominal part a control of our own makes the moves of the path, and no other but its way to the first place and the pieces of arcs.
+/// On the nominal part the simulated control makes the moves of the path, and no others except the approach and the pieces of arcs.
 fn skip_is_sane(plan: &Plan) -> Result<(), String> {
     let ends = plan
         .moves
@@ -584,9 +584,9 @@ fn skip_is_sane(plan: &Plan) -> Result<(), String> {
     skip_is_sane_on(plan, ends)
 }
 
-/// The same with contacts where a part has them.
+/// The same with contacts of a part.
 fn skip_is_sane_on(plan: &Plan, contacts: Vec<[f64; 3]>) -> Result<(), String> {
-    // Two cycles of a set-up at one place: where one touches, the other goes through. The control of the tests cannot tell.
+    // Two cycles of a set-up at one position: one touches where the other passes. The simulated control cannot distinguish them.
     let goes_through = |at: &[Move]| {
         let [from, step] = at else { return false };
         step.kind == "position"
@@ -638,7 +638,7 @@ fn skip_is_sane_on(plan: &Plan, contacts: Vec<[f64; 3]>) -> Result<(), String> {
                 "touch" => *probing,
                 _ => distance(*end, step.to) < last,
             };
-            // To the first place in steps, along an arc in pieces.
+            // Approach in steps, arcs in pieces.
             owe!(
                 "each move ends at its place",
                 there || i == 0 || step.arc.is_some(),
@@ -685,7 +685,7 @@ fn skip_is_sane_on(plan: &Plan, contacts: Vec<[f64; 3]>) -> Result<(), String> {
     Ok(())
 }
 
-/// Every axis word of a block is the place of its move, within the last decimal; a touch lies on its line, behind the contact.
+/// Every axis word of a block is the position of its move, within the last decimal; a touch is on its line, past the contact.
 fn block_ends_at_its_place(
     line: &str,
     step: &touchpath::job::Move,
@@ -704,7 +704,7 @@ fn block_ends_at_its_place(
         else {
             continue;
         };
-        // `X[10+#<bore_shift_x>]`, `X=-10+R5-0.5*R6`: the nominal place, and what it is shifted by.
+        // `X[10+#<bore_shift_x>]`, `X=-10+R5-0.5*R6`: the nominal position and its shift.
         let sum = word[1..].strip_prefix(['[', '=']);
         let nominal = sum.and_then(|sum| Some(&sum[..1 + sum.get(1..)?.find(['+', '-'])?]));
         let written: f64 = nominal

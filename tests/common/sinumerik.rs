@@ -1,5 +1,5 @@
-//! A SINUMERIK of our own, just large enough to run the programs of the post: its own arithmetic, its own jumps, a probe that
-//! triggers where a test says so. It shares nothing with the post but the reader's syntax tree.
+//! Simulated SINUMERIK, just large enough for the generated programs: its own arithmetic, its own jumps, a probe whose triggers a test sets. It shares only the
+//! reader's syntax tree.
 
 use std::collections::HashMap;
 
@@ -10,16 +10,16 @@ use crate::common::mpf::{Program, Statement, Term};
 pub struct Machine {
     pub r: HashMap<usize, f64>,
     pub names: HashMap<String, f64>,
-    /// Shift, turn, mirror, scale and fine shift of the one work offset, by axis.
+    /// Shift, rotation, mirror, scale and fine shift of the only work offset, by axis.
     pub frame: [[f64; 3]; 5],
-    /// Where the ball is at the trigger of each touch; where there is none, it runs to the end.
+    /// Trigger position of each touch; without one it runs to its end.
     pub triggers: Vec<Option<[f64; 3]>>,
-    /// The number of a positioning move in which something is touched.
+    /// Number of the positioning move with a contact.
     pub contact_in: Option<f64>,
-    /// The same for the frames that may follow it: programmed, tool, workpiece.
+    /// The same for the frames after it: programmed, tool, workpiece.
     pub behind: [[[f64; 3]; 5]; 3],
     pub metric: bool,
-    /// The probe input that the probe is connected to; the other one sees nothing.
+    /// Probe input of the probe; the other one has no signal.
     pub input: u8,
     /// The active tool offset, D.
     pub tool_offset: u8,
@@ -30,7 +30,7 @@ pub struct Machine {
     /// Every message, in order.
     pub messages: Vec<String>,
     pub alarm: Option<f64>,
-    /// What it wrote into a file, line by line.
+    /// Lines that it wrote into a file.
     pub written: Vec<String>,
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
@@ -125,9 +125,9 @@ impl Machine {
                     let deflected = self.is_deflected();
                     let connected = motion.measuring == Some(self.input);
                     if motion.measuring.is_some() {
-                        // MEAS waits for the edge of the signal: of a probe that is deflected already it sees nothing.
+                        // MEAS waits for the edge of the signal: a probe that is already deflected gives none.
                         self.state = 0.0;
-                        // The check two blocks on says whether this is meant to touch.
+                        // The check two blocks later shows whether this move is a touch.
                         let touch = matches!(
                             &program.blocks[next + 2].statement,
                             Statement::If(Term::Binary("==", ..), _)
@@ -164,7 +164,7 @@ impl Machine {
                     self.path.push(at);
                 }
                 Statement::Words(words) => {
-                    // The operator starts it again.
+                    // The operator restarts it.
                     if words.iter().any(|w| w == "M30") {
                         return Ok(());
                     }
@@ -179,7 +179,7 @@ impl Machine {
                         self.written.push(self.text(text, at)?)
                     }
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
-                    // The hundreds of its variant: it corrects the work offset by itself.
+                    // The hundreds of its variant: it corrects the work offset itself.
                     ("CYCLE977" | "CYCLE978", [Some(Term::Number(variant)), ..]) => {
                         self.writes += usize::from(*variant % 1000.0 >= 100.0)
                     }
@@ -247,7 +247,7 @@ impl Machine {
                 }
                 ("$AC_MEA", _) => self.state,
                 ("$P_TOOL", []) => f64::from(self.tool_offset),
-                // What the measuring cycles give is theirs.
+                // Results of the measuring cycles.
                 ("_OVR", [_]) => 0.0,
                 ("$A_PROBE", _) => truth(self.is_deflected()),
                 ("$MN_SCALING_SYSTEM_IS_METRIC", []) => truth(self.metric),

@@ -1,4 +1,4 @@
-//! The circle that a measured object is, from three touches and more: closed forms, spread, limits.
+//! The circle fitted to a measured object, from three touches and more: closed forms, spread, limits.
 
 use super::super::draws::drawn_spreads;
 use super::{errors, holes, near, on_linuxcnc, row, warnings};
@@ -8,7 +8,7 @@ use touchpath::formula::fit_circle;
 use touchpath::geom::Vec2;
 use touchpath::job::{Plan, evaluate};
 
-/// The circle through three points has closed forms; and three points within 10° still give it.
+/// The circle through three points against closed forms; three points within 10° still define it.
 #[test]
 fn circle_fits_against_closed_forms() {
     let at = |degrees: f64| {
@@ -32,7 +32,7 @@ fn circle_fits_against_closed_forms() {
             "{fit:?}"
         );
     }
-    // A triangle with sides 3, 4, 5 has its circle about the middle of the longest, radius 2.5.
+    // A triangle with sides 3, 4, 5 has its circle about the midpoint of the longest side, radius 2.5.
     let fit =
         fit_circle(&[(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y))).unwrap();
     assert!(
@@ -69,7 +69,7 @@ fn circle_fits_against_closed_forms() {
     );
 }
 
-/// A short angular length shows its price: the same touches over 40° instead of 360°.
+/// A short angular length increases the uncertainty: the same touches over 40° instead of 360°.
 #[test]
 fn a_short_arc_costs_certainty() {
     let wide = planned(&holes());
@@ -162,7 +162,7 @@ fn touches_that_cannot_tell_a_circle_are_refused_or_warned_of() {
             "{length} {points}"
         );
     }
-    // Three points within 10° are allowed, with their price named.
+    // Three points within 10° are allowed, with a warning about their uncertainty.
     let narrow = spread(10.0, 3.0);
     assert_eq!(
         (errors(&narrow), warnings(&narrow)),
@@ -171,8 +171,8 @@ fn touches_that_cannot_tell_a_circle_are_refused_or_warned_of() {
     assert_eq!(warnings(&spread(360.0, 3.0)), [""; 0]);
 }
 
-/// H7 begins at the nominal size itself. Over an arc of 10° the twelfth decimal of an inch in the touches is 4e-9 mm in the position:
-/// what the plan calls good was scrap when its own touches were evaluated.
+/// H7 begins at the nominal size itself. Over an arc of 10° the twelfth decimal of an inch in the touches is 4e-9 mm in the position: a result that the plan
+/// called good must stay good when its own touches are evaluated.
 #[test]
 fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
     let text = r#"{"format":1,"units":"inch","plane":"G19","stylus":{"diameter":0.3346456692913386},
@@ -198,7 +198,7 @@ fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
     assert_eq!(verdict(&rows).as_deref(), Some("good"));
 }
 
-/// By hand: the ball goes down 2 mm before the wall (SET_UP 2), and DIST is 10. A stud of 24 or a hole of 16 instead of 20 reaches that place, and so does
+/// By hand: the ball moves down 2 mm before the wall (SET_UP 2), and DIST is 10. A stud of 24 or a hole of 16 instead of 20 reaches that position, and so does
 /// an object 2 mm aside; a hole of 36.1 is 10.05 away.
 #[test]
 fn a_tolerance_that_the_path_does_not_leave_room_for_is_said() {

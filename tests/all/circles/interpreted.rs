@@ -17,7 +17,7 @@ fn circle_jobs() -> Vec<(String, Value, Plan)> {
         .collect()
 }
 
-/// How far past its contact a touch searches: DIST less the set-up clearance.
+/// Search past the contact of a touch: DIST minus the set-up clearance.
 fn search(job: &Value) -> f64 {
     let unit = if job.get("units") == Some(&text("inch")) {
         25.4
@@ -29,15 +29,15 @@ fn search(job: &Value) -> f64 {
         - number_at(job, "cycle.setUpClearance", 0.0)
 }
 
-/// LinuxCNC's interpreter runs the cycle: moves and arcs are the path, and the printed Q results are those of the points the
-/// probe ended at, by the crate's own evaluation (geometric) and by an independent circle.
+/// LinuxCNC's interpreter runs the cycle. Its moves and arcs are the path, and the printed Q results equal those of the points where the probe ended, by the
+/// crate's evaluation (geometric) and by an independent circle.
 #[test]
 fn linuxcnc_runs_the_cycle() {
     let jobs = circle_jobs();
     assert!(jobs.len() >= 4);
     let mut arcs = 0;
     for (name, job, plan) in jobs {
-        // Watched, every positioning move is a probe move too: the touches are found where it is not.
+        // When watched, every positioning move is a probe move too: the touches are found in the unwatched program.
         let ran =
             interpret_from(&plan.program.text, &job).unwrap_or_else(|e| panic!("{name}: {e}"));
         compare_moves(&plan, |_| search(&job), &ran)
@@ -55,7 +55,7 @@ fn linuxcnc_runs_the_cycle() {
             .map(|m| m.to)
             .collect();
         let repeats = ends.len() / (2 * number_at(&job, "cycle.probePoints", 4.0) as usize);
-        // Evaluated by the crate: the points the probe ended at, straight from the interpreter.
+        // Evaluated by the crate: the points where the probe ended, from the interpreter.
         let touchpath::job::PlannedJob {
             job: checked, path, ..
         } = touchpath::job::planned(&job).unwrap();
@@ -83,7 +83,7 @@ fn linuxcnc_runs_the_cycle() {
                 1.0
             };
             let wanted = row.value.unwrap() / unit;
-            // The interpreter prints its places with four decimals.
+            // The interpreter prints positions with four decimals.
             let tolerance = if unit == scale && row.unit == touchpath::formula::Unit::Length {
                 2e-4
             } else {
@@ -94,7 +94,7 @@ fn linuxcnc_runs_the_cycle() {
                 "{name}: {code} printed {printed}, evaluated {wanted}"
             );
         }
-        // And by hand: the circle through the first, the third … point is the same circle, from perpendicular bisectors.
+        // By hand: the circle through the first, third … point is the same circle, from perpendicular bisectors.
         let [a, o] = if job.get("plane") == Some(&text("G18")) {
             [2, 0]
         } else {
@@ -125,7 +125,7 @@ fn linuxcnc_runs_the_cycle() {
     assert!(arcs > 4, "arcs are run as arcs");
 }
 
-/// On the virtual part: the probe's targets are replaced by the triggers, and the program prints the results that are shown.
+/// On the virtual part: the probe's targets are replaced by the triggers, and the program prints the results of the page.
 #[test]
 fn linuxcnc_computes_what_is_shown() {
     for (name, _, plan) in circle_jobs() {
@@ -155,8 +155,8 @@ fn linuxcnc_computes_what_is_shown() {
     }
 }
 
-/// The write under a rotation that was active before: what is at the measured point in the old system is at its nominal
-/// place in the new one, and the measured line has its nominal direction there.
+/// The write under a rotation that was active before: the measured point in the old system is at its nominal position in the new one, and the measured line has
+/// its nominal direction there.
 #[test]
 fn linuxcnc_writes_offset_and_rotation() {
     for before in [0.0, 25.0] {
@@ -165,7 +165,7 @@ fn linuxcnc_writes_offset_and_rotation() {
             .find(|(name, ..)| name == "circles-linuxcnc")
             .unwrap();
         let program = format!("G21\nG10 L2 P1 X7 Y-3 Z2 R{before}\n{}", plan.program.text);
-        // A lying part: the second circle's touches end 0.6 higher.
+        // A tilted part: the touches of the second circle end 0.6 higher.
         let mut lines: Vec<String> = program.lines().map(str::to_owned).collect();
         let moved: Vec<usize> = lines
             .iter()
@@ -206,7 +206,7 @@ fn linuxcnc_writes_offset_and_rotation() {
             3,
             "the test's own, the rotation, the offset: {writes:?}"
         );
-        // After the rotation's write the offset's: the last SET_G5X_OFFSET before the modes are restored.
+        // After the write of the rotation comes that of the offset: the last SET_G5X_OFFSET before the modes are restored.
         let output = ran.offsets_after_moves.last().copied().expect("a write");
         let machine = |offset: [f64; 3], degrees: f64, p: [f64; 2]| {
             let (sin, cos) = degrees.to_radians().sin_cos();
@@ -233,7 +233,7 @@ fn linuxcnc_writes_offset_and_rotation() {
     }
 }
 
-/// With scatter the two fits differ; what is shown for LinuxCNC is what its program computes from the very points.
+/// With scatter the two fits differ; the page uses for LinuxCNC the equations of its program.
 #[test]
 fn linuxcnc_and_the_page_agree_on_scattered_points() {
     let mut job = on_linuxcnc(&with(
@@ -278,7 +278,7 @@ fn linuxcnc_and_the_page_agree_on_scattered_points() {
     );
 }
 
-/// AXIS shows ten messages, and another one removes the first of them: the 25 and more results of 1411 are several in a message. The interpreter shows each.
+/// AXIS shows ten messages and then removes the first: the 25 and more results of 1411 share messages. The interpreter prints each.
 #[test]
 fn the_results_of_two_circles_fit_on_the_screen() {
     let jobs = crate::common::unlimited_jobs();
@@ -307,6 +307,6 @@ fn the_results_of_two_circles_fit_on_the_screen() {
             "{code}: {printed}"
         );
     }
-    // Few results have a line each.
+    // A few results have a line each.
     assert_eq!(messages(&of("pocket")), 4);
 }

@@ -72,14 +72,14 @@ fn the_way_of_two_holes_by_hand() {
         .map(|m| (m.to, m.kind, m.feed, m.step))
         .collect();
     let expected = [
-        // The stylus is at the start, above the clearance height: first in the plane, then down to it.
+        // The stylus is at the start, above the clearance height: first in the plane, then down.
         ([-30.0, 0.0, 80.0], "position", "rapid", 1),
         ([-30.0, 0.0, 50.0], "position", "rapid", 1),
         ([-25.0, 0.0, 50.0], "position", "rapid", 3),
         ([-25.0, 0.0, -10.0], "position", "work", 4),
         ([-23.0, 0.0, -10.0], "touch", "work", 4),
         ([-25.0, 0.0, -10.0], "back", "rapid", 4),
-        // Q1125 = 2: over the clearance height to the next point, a quarter turn counter-clockwise.
+        // Q1125 = 2: at the clearance height to the next point, 90° counter-clockwise.
         ([-25.0, 0.0, 50.0], "position", "rapid", 4),
         ([-30.0, 5.0, 50.0], "position", "rapid", 4),
         ([-30.0, 5.0, -10.0], "position", "work", 4),
@@ -105,8 +105,8 @@ fn the_way_of_two_holes_by_hand() {
     assert_eq!(below.moves[1].to, [-30.0, 0.0, 50.0]);
 }
 
-/// Studs are touched inwards: they start 10 + 5 from the centre and end at 13. With Q1125 = 1 the ball goes from point to
-/// point along the arc of 15, and over the clearance height to the other stud.
+/// Studs are touched inwards: touches start at 10 + 5 from the centre and end at 13. With Q1125 = 1 the ball moves from point to point along the arc of 15, and
+/// at the clearance height to the other stud.
 #[test]
 fn the_way_of_two_studs_by_hand() {
     let mut job = with(
@@ -132,7 +132,7 @@ fn the_way_of_two_studs_by_hand() {
         ([-15.0, 0.0, -10.0], [-30.0, 0.0, -10.0], -90.0)
     );
     assert!(warnings(&job).contains(&"no-retract".to_owned()));
-    // The way of an arc is its own length: 15·π/2 each.
+    // The length of an arc: 15·π/2 each.
     let bows: f64 = plan
         .moves
         .iter()
@@ -149,10 +149,10 @@ fn without_a_retract_between_objects_studs_may_be_free_and_holes_are_not() {
         "cycle.clearanceHeightMode",
         number(0.0),
     );
-    // From stud 1's last touch at −90° straight to stud 2's first at 0°: (−30, −15) to (45, 0) passes stud 2 at (30, 0) in
-    // 2.9 of its middle: that cuts it.
+    // From stud 1's last touch at −90° straight to stud 2's first at 0°: the line (−30, −15) to (45, 0) passes stud 2 at (30, 0) within 2.9 of its centre, so
+    // it cuts the stud.
     assert_eq!(errors(&studs), ["collision cycle"]);
-    // Starting at 180° the second stud's near side comes first, and the way is free.
+    // With a start at 180° the near side of the second stud comes first, and the path is free.
     let facing = with(&studs, "cycle.startingAngle", number(180.0));
     assert_eq!(errors(&facing), [""; 0]);
     let plan = planned(&facing);
@@ -161,7 +161,7 @@ fn without_a_retract_between_objects_studs_may_be_free_and_holes_are_not() {
         3,
         "down to it and across before, up to it after the cycle"
     );
-    // A hole is left through its wall.
+    // A move out of a hole cuts its wall.
     assert_eq!(
         errors(&with(&holes(), "cycle.clearanceHeightMode", number(0.0))),
         ["collision cycle"]
@@ -174,7 +174,7 @@ fn without_a_retract_between_objects_studs_may_be_free_and_holes_are_not() {
 
 #[test]
 fn small_holes() {
-    // 8 wide: 4 less 5 of stand-off is none; from the centre 4 − 3 = 1 is reachable.
+    // 8 wide: 4 minus 5 of stand-off is negative; from the centre 4 − 3 = 1 is reachable.
     let job = with(&holes(), "cycle.diameter1", number(8.0));
     let finding = check(&job)
         .into_iter()
@@ -194,7 +194,7 @@ fn small_holes() {
     );
 }
 
-/// Part shifted by (0.2, −0.1) and turned by 0.5° about the work origin; hole 1 is 0.04 wider.
+/// Part shifted by (0.2, −0.1) and rotated by 0.5° about the work origin; hole 1 is 0.04 wider.
 #[test]
 fn results_by_hand() {
     let mut job = with(&holes(), "part.offset", point([0.2, -0.1, 0.0]));
@@ -239,7 +239,7 @@ fn results_by_hand() {
     near(row(&plan.results, "Q964").truth.unwrap(), 0.5);
 }
 
-/// Angles wrap: a line that points along −X nominally, turned either way.
+/// Angles wrap: a line along −X, rotated in both directions.
 #[test]
 fn the_rotation_wraps() {
     for turn in [0.4, -0.4] {
@@ -266,7 +266,7 @@ fn tolerances_and_verdicts() {
         ("20H7", 0.0, 0.0, 0.0, "good"),
         ("20H7", -0.005, 0.0, 1.0, "rework"),
         ("20H7", 0.022, 0.0, 2.0, "scrap"),
-        // A stud: too big can be worked off, too small cannot be put on.
+        // A stud: an oversize can be reworked, an undersize cannot.
         ("20h6", 0.005, 1.0, 1.0, "rework"),
         ("20h6", -0.014, 1.0, 2.0, "scrap"),
         ("20m", 0.2, 0.0, 0.0, "good"),
@@ -284,7 +284,7 @@ fn tolerances_and_verdicts() {
     let plan = planned(&toleranced("20H7", 0.0, 0.0));
     near(value(&plan, "Q996"), -0.0105);
     near(row(&plan.results, "Q966").deviation.unwrap(), -0.0105);
-    // A position out of its zone is scrap; the worst counts.
+    // A position out of its zone is scrap; the worst verdict counts.
     let job = with(
         &toleranced("20H7", -0.005, 0.0),
         "cycle.point1",
@@ -298,7 +298,7 @@ fn tolerances_and_verdicts() {
         ),
         (2.0, Some("scrap"))
     );
-    // What Q309 does with it.
+    // The effect of Q309.
     let says = |reaction: f64, delta: f64| {
         let plan = planned(&with(
             &toleranced("20H7", delta, 0.0),
@@ -345,7 +345,7 @@ fn semi_automatic_and_given_objects() {
         errors(&on_linuxcnc(&semi)),
         ["semi-automatic-unsupported control.post"]
     );
-    // Given: not probed, but its place counts. 60 along and 0.6 across is 0.57294°.
+    // Entered: not probed, but its position counts. 60 along and 0.6 across is 0.57294°.
     let given = with(
         &holes(),
         "cycle.point1",
@@ -366,7 +366,7 @@ fn semi_automatic_and_given_objects() {
         Value::List(vec![text("-30@-30"), number(0.0), number(-10.0)]),
     );
     assert_eq!(errors(&partly), ["given-incomplete cycle.point1"]);
-    // Both given or unknown: nothing is probed, and there is still a program.
+    // Both entered or unknown: nothing is probed, and there is still a program.
     let neither = with(
         &semi,
         "cycle.point2",
@@ -376,7 +376,7 @@ fn semi_automatic_and_given_objects() {
     assert_eq!((plan.moves.len(), plan.length), (0, 0.0));
 }
 
-/// Three touches along the tool axis for each: the circle is that of the means, and its uncertainty shrinks by √3.
+/// Three touches along the tool axis for each point: the circle uses their means, and its uncertainty shrinks by √3.
 #[test]
 fn extrusion_repeats_touches() {
     let extruded = with(
@@ -390,7 +390,7 @@ fn extrusion_repeats_touches() {
     let ratio = row(&once.results, "Q950").uncertainty.unwrap()
         / row(&thrice.results, "Q950").uncertainty.unwrap();
     assert!((ratio - 3f64.sqrt()).abs() < 1e-8, "{ratio}");
-    // Single deviations: hole 1 is 0.05 wider and 0.3 off everywhere.
+    // Single deviations: hole 1 is 0.05 wider and shifted by 0.3.
     let off = planned(&with(
         &with(&extruded, "part.offset", point([0.3, 0.0, 0.0])),
         "part.sizes.diameter1",
@@ -423,7 +423,7 @@ fn every_enumeration_value_is_taken_and_the_next_one_is_not() {
         for n in low..=high {
             let mut job = with(&base, &format!("cycle.{key}"), number(f64::from(n)));
             if key == "clearanceHeightMode" && n < 1 {
-                // Between two holes the ball has to go over the clearance height: between two studs, half touched, it need not.
+                // Between two holes the ball must move at the clearance height; between two studs with half circles it need not.
                 job = with(
                     &with(&job, "cycle.geometryType", number(1.0)),
                     "cycle.angularLength",
@@ -524,7 +524,7 @@ fn bad_input_is_named() {
     assert_eq!(errors(&corner), ["form-unsupported control.form"]);
 }
 
-/// Mode −1: the clearance height plays no part; the ball crosses at its present height and goes down at the probing feed.
+/// Mode −1: the clearance height is not used; the ball crosses at its current height and moves down at the probing feed.
 #[test]
 fn without_the_clearance_height() {
     let mut job = with(
@@ -553,7 +553,7 @@ fn nothing_is_called_good_that_was_not_measured() {
     let status = row(&planned(&missed).results, "Q183").clone();
     assert_eq!(status.value, None);
     assert!(status.verdict.unwrap().starts_with("unknown"));
-    // The tool axis of a probed object is not measured: its tolerance says nothing.
+    // The tool axis of a probed object is not measured: its tolerance has no verdict.
     let axis = with(
         &holes(),
         "cycle.point1",

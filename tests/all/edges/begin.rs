@@ -1,11 +1,11 @@
-//! How a program begins, gets from one touch to the next, and ends.
+//! The start of a program, its moves between touches, and its end.
 
 use super::{cycle, errors, text, warnings};
 use crate::common::import;
 use crate::common::{job, number, planned, with};
 use touchpath::job::{Plan, check, default_job};
 
-// The first block dives into the feature, and the program ends inside it.
+// The first block must not dive into the feature, and the program must not end inside it.
 
 #[test]
 fn the_first_block_dives_into_the_feature() {
@@ -20,7 +20,7 @@ fn the_first_block_dives_into_the_feature() {
             ["start-in-feature cycle.feedDistance"],
             "{kind}"
         );
-        // Ten down to the touches, and the ball's radius over the top.
+        // Ten down to the touches, and the ball's radius above the top.
         let finding = check(&job(5.0))
             .into_iter()
             .find(|f| f.code == "start-in-feature")
@@ -97,7 +97,7 @@ fn a_corner_with_no_feed_distance_begins_and_ends_at_the_touches() {
     assert!(!planned(&top).program.text.contains("no top side"));
 }
 
-// 1411 as moves drives to `start`.
+// 1411 as moves starts at `start`.
 
 #[test]
 fn the_first_block_of_1411_drives_to_where_the_stylus_is_said_to_be() {
@@ -154,7 +154,7 @@ fn the_first_block_of_1411_drives_to_where_the_stylus_is_said_to_be() {
 
 #[test]
 fn the_ball_comes_down_into_the_material_beside_a_hole() {
-    // Stand-off 2 + 3: beyond it the ball comes down on the plate at any height.
+    // Stand-off 2 + 3: beyond it the ball descends onto the plate at any height.
     for shift in [9.0, 11.0, 14.0, 25.0] {
         for y in [0.0, shift] {
             let job = job(&format!(
@@ -167,7 +167,7 @@ fn the_ball_comes_down_into_the_material_beside_a_hole() {
             );
         }
     }
-    // A stud has nothing around it.
+    // A stud has no material around it.
     let studs = job(
         r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "geometryType": 1 }, "part": { "offset": [-1, 1, 0] } }"#,
     );
@@ -222,7 +222,7 @@ fn grbl_descends_at_a_feed_where_nothing_watches() {
         assert!(!down || line.ends_with("F150"), "{line}");
     }
     assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed"));
-    // Watched, it goes at the feed that a machine stops from.
+    // When watched, it runs at the feed from which a machine stops.
     let plan = planned(&boss("checked"));
     for (down, line) in lines(&plan).iter().filter(|(_, line)| line.contains(" Z")) {
         assert!(
@@ -301,7 +301,7 @@ fn positioning_is_watched_unless_the_job_says_not() {
     );
 }
 
-// What the control has, and the moves cannot know.
+// Values of the control that the moves cannot contain.
 
 #[test]
 fn predefined_heights_become_no_program_of_moves() {
@@ -314,7 +314,7 @@ fn predefined_heights_become_no_program_of_moves() {
             "not-known cycle.clearanceHeightPredef".to_owned()
         ]
     );
-    // The native cycle takes them from GLOBAL DEF: the values for the picture refuse nothing.
+    // The native cycle reads them from GLOBAL DEF: the values for the picture refuse nothing.
     let own = job(&format!(
         r#"{{ "format": 1, "control": {{ "post": "heidenhain", "form": "cycle" }},
         "cycle": {{ {predef}, "point1": [-30, 0, 140], "point2": [30, 0, 140], "probe": {{ "setUp": 0 }},
@@ -373,7 +373,7 @@ fn chords_around_a_stud_stay_clear_of_it() {
     let text = planned(&job).program.text;
     let mut at = [f64::NAN; 3];
     let mut nearest = f64::INFINITY;
-    // Blocks with places of their own, not those of a subroutine.
+    // Blocks with their own positions, not those of a subroutine.
     let blocks = text.lines().filter(|l| {
         ["G38", "G0", "G1 "].iter().any(|word| l.starts_with(word)) && !l.contains('#')
     });
@@ -415,7 +415,7 @@ fn unwatched_positioning_is_said_where_it_could_be_watched() {
 
 #[test]
 fn a_lift_is_made_before_the_program_aborts() {
-    // ABORT throws away what LinuxCNC has read and not yet moved; M66 waits for it.
+    // ABORT discards what LinuxCNC has read and not yet moved; M66 waits for it.
     let text = planned(&default_job("hole").unwrap()).program.text;
     let lines: Vec<&str> = text.lines().collect();
     let aborts: Vec<usize> = (0..lines.len())

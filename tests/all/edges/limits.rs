@@ -1,4 +1,4 @@
-//! Jobs that are dangerous, or say too little, with nothing said; and sound ones that were refused at a limit.
+//! Dangerous or incomplete jobs without a finding, and valid ones that were refused at a limit.
 
 use super::{cycle, errors, picked, warnings};
 use crate::common::{job, number, planned, point, with};
@@ -13,7 +13,7 @@ fn studs(more: &str) -> Value {
     ))
 }
 
-/// The ball comes down 13 beside the first stud: 19.25 + 3 around the second one reach to 35 − 22.25 = 12.75, but for the part that was moved.
+/// The ball descends 13 beside the first stud: 19.25 + 3 around the second one reach to 35 − 22.25 = 12.75 only on a displaced part.
 #[test]
 fn a_part_that_lies_elsewhere_hid_a_collision_with_the_drawn_one() {
     assert_eq!(errors(&studs("")), ["collision cycle"]);
@@ -30,7 +30,7 @@ fn a_part_that_lies_elsewhere_hid_a_collision_with_the_drawn_one() {
     }
 }
 
-/// 45.5 away, the right wall is out of reach of the first touch, which ends at 42 + 3: there a control stops. The left wall at −34.5 is met later.
+/// 45.5 away, the right wall is out of reach of the first touch, which ends at 42 + 3: there a control stops. The left wall at −34.5 is touched later.
 #[test]
 fn a_touch_that_meets_nothing_before_a_collision_is_said() {
     let job =
@@ -49,8 +49,8 @@ fn a_touch_that_meets_nothing_before_a_collision_is_said() {
     assert!(missed[0].starts_with("Touch 1 "), "{missed:?}");
 }
 
-/// The program is that of the drawing, and the part a trial: nothing was to be saved until the trial was taken back. Nothing is stored of a run that ends in
-/// the part, not even what was measured before: the arithmetic comes after the last move.
+/// The program is that of the drawing, and the part is a trial, which must not prevent saving. A run that ends in the part stores nothing, not even earlier
+/// measurements: the arithmetic comes after the last move.
 #[test]
 fn a_trial_of_the_virtual_part_took_the_program_away() {
     let nominal = cycle(
@@ -87,7 +87,7 @@ fn a_trial_of_the_virtual_part_took_the_program_away() {
             );
         }
     }
-    // A result that no touch is needed for is not stored either: 1411 gives heights that are nominal.
+    // A result that needs no touch is not stored either: 1411 reports nominal heights.
     let circles = cycle(r#"{ "type": "probing-two-circles" }, "part": { "offset": [25, 0, 0] }"#);
     assert!(
         planned(&circles)
@@ -97,8 +97,8 @@ fn a_trial_of_the_virtual_part_took_the_program_away() {
     );
 }
 
-/// Three touches over two degrees, each off by a radial e: along the middle one the centre moves by d where d + ρ = e2 and
-/// d cos 1° + ρ = (e1 + e3) / 2, so d scatters by √1.5 / (1 − cos 1°) of a single touch, 8041 times.
+/// Three touches over two degrees, each with a radial error e: along the middle one the centre moves by d with d + ρ = e2 and d cos 1° + ρ = (e1 + e3) / 2, so
+/// d scatters by √1.5 / (1 − cos 1°) of a single touch, 8041 times.
 #[test]
 fn touches_side_by_side_wrote_an_offset_that_scatters_by_millimetres() {
     for kind in ["hole", "hole-protected", "boss"] {
@@ -142,7 +142,7 @@ fn touches_side_by_side_wrote_an_offset_that_scatters_by_millimetres() {
     }
 }
 
-/// Fourteen chords of a quarter of a millimetre went unwatched, and the rule was said to hold.
+/// Fourteen chords of a quarter of a millimetre went unwatched, although the rule was reported to hold.
 #[test]
 fn an_arc_in_pieces_too_short_to_be_watched_is_watched() {
     let tight = cycle(
@@ -170,7 +170,7 @@ fn an_arc_in_pieces_too_short_to_be_watched_is_watched() {
     );
 }
 
-/// Places are written with four digits: a way of just 0.2 or 0.3 mm was one thing to the writer and another to the proof.
+/// Positions are written with four digits: writer and proof must agree about a move of exactly 0.2 or 0.3 mm.
 #[test]
 fn moves_as_long_as_the_shortest_probing_move_are_proven() {
     for (post, kind, base, shortest) in [
@@ -191,7 +191,7 @@ fn moves_as_long_as_the_shortest_probing_move_are_proven() {
     }
 }
 
-/// The proof's trigger lay before the place where the touch begins.
+/// The proof's trigger was before the start of the touch.
 #[test]
 fn a_long_overtravel_behind_a_short_way_is_proven() {
     let job = job(
@@ -215,7 +215,7 @@ fn the_last_work_offset_of_linuxcnc_is_turned_like_the_others() {
     assert_eq!(errors(&job), Vec::<String>::new());
 }
 
-/// Exactly at the end of a search a wall was missed and a hole was met.
+/// Exactly at the end of a search a wall was missed and a hole was touched.
 #[test]
 fn what_lies_at_the_very_end_of_a_search_is_met() {
     for (kind, size) in [
@@ -223,7 +223,7 @@ fn what_lies_at_the_very_end_of_a_search_is_met() {
         ("groove", "width"),
         ("hole", "diameter"),
     ] {
-        // Both sides lie 5 farther away: the overtravel.
+        // Both sides are 5 farther away: the overtravel.
         let at = |more: f64| {
             with(
                 &cycle(&format!(r#"{{ "type": "{kind}" }}"#)),
@@ -242,7 +242,7 @@ fn what_lies_at_the_very_end_of_a_search_is_met() {
     }
 }
 
-/// A shaft would meet an overhanging wall before the ball does, and the lift after a miss goes up under it.
+/// A shaft would touch an overhanging wall before the ball does, and the retract after a miss moves up under it.
 #[test]
 fn a_wall_that_hangs_over_is_refused_for_every_pick() {
     let (side, down) = (0.96f64.sqrt(), -0.2);
@@ -285,7 +285,7 @@ fn the_empty_tool_is_no_probe() {
     assert!(plan(&with(&job, "control.tool", number(1.0))).is_ok());
 }
 
-/// A slope that lies 1 off along X is met 0.5 lower or higher: Z got a part of that, though the part is as high as ever.
+/// A slope that is 1 off along X is touched 0.5 lower or higher: Z got a part of that, although the part has its nominal height.
 #[test]
 fn an_offset_in_axes_that_were_not_measured_apart_is_said() {
     let said = |text: &str| warnings(&cycle(text)).contains(&"offset-one-direction".to_owned());
@@ -313,7 +313,7 @@ fn an_offset_in_axes_that_were_not_measured_apart_is_said() {
     }
 }
 
-/// The ball's edge is 0.4 from the wall where the touch begins; or 0.55, with a sigma of 0.1.
+/// The ball's edge is 0.4 from the wall at the start of the touch; or 0.55, with a sigma of 0.1.
 #[test]
 fn a_touch_that_begins_close_to_its_wall_is_said() {
     let said = |text: &str| warnings(&cycle(text)).contains(&"touch-close".to_owned());
@@ -348,7 +348,7 @@ fn a_touch_that_begins_close_to_its_wall_is_said() {
     assert!(said(inch), "0.015 inch");
 }
 
-/// How far the ball keeps from what it passes, by hand: 3.2 above a top is 0.2 for a ball of 6; in a hole of 80 a place 36.7 before one wall is 3.3
+/// Distance of the ball from surfaces that it passes, by hand: 3.2 above a top is 0.2 for a ball of 6; in a hole of 80 a position 36.7 before one wall is 3.3
 /// before the other, which leaves 0.3.
 #[test]
 fn a_move_that_passes_the_part_closely_is_said() {
@@ -410,7 +410,7 @@ fn a_move_that_passes_the_part_closely_is_said() {
     }
 }
 
-/// From the middle to 3.25 before the wall of a groove of 7 it is 0.25 across: too short for a probe move.
+/// From the middle to 3.25 before the wall of a groove of 7 is 0.25 across: too short for a probe move.
 #[test]
 fn positioning_that_is_not_watched_though_the_job_asks_for_it_is_said() {
     let said = |text: &str| {

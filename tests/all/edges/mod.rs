@@ -1,5 +1,4 @@
-//! The edges: how a program begins and ends, what a path must hold, and the difference between two values that look alike. Each test is named
-//! after a failure that was seen.
+//! Edge cases: the start and end of a program, requirements of a path, and differences between values that look alike. Each test is named after a failure.
 
 mod begin;
 mod limits;
@@ -51,7 +50,7 @@ fn picked(kind: &str, picks: &[([f64; 3], [f64; 3])]) -> Value {
     )
 }
 
-/// The picks that the default dimensions give.
+/// Picked touches at the positions that the default dimensions give.
 fn default_picks(kind: &str) -> Vec<([f64; 3], [f64; 3])> {
     planned(&default_job(kind).unwrap())
         .touches
@@ -60,7 +59,7 @@ fn default_picks(kind: &str) -> Vec<([f64; 3], [f64; 3])> {
         .collect()
 }
 
-// Touches vanish and the program computes and writes all the same.
+// Touches vanish, but the program computes and writes.
 
 #[test]
 fn a_clearance_that_is_the_radius_but_for_noise_programs_no_touch() {
@@ -220,7 +219,7 @@ fn a_middle_touch_below_the_sides_is_taken_for_the_top() {
         let mut picks = default_picks(kind);
         picks[top].0[2] = picks[0].0[2] - 1.0;
         let found = errors(&picked(kind, &picks));
-        // Of a corner the signs say it first.
+        // For a corner the signs report it first.
         let said = found.iter().any(|e| {
             e.starts_with("touch-above-top") || e.starts_with("vector-wrong-way cycle.touches[2]")
         });
@@ -228,7 +227,7 @@ fn a_middle_touch_below_the_sides_is_taken_for_the_top() {
     }
 }
 
-/// A touch with a short way to its contact may be aside by the tolerance of picks, and would run at 80° to its vector.
+/// A touch with a short approach may be aside by the tolerance of picks, and would run at 80° to its vector.
 #[test]
 fn a_pick_is_approached_askew() {
     let job = with(
@@ -242,7 +241,7 @@ fn a_pick_is_approached_askew() {
         number(3.02),
     );
     let touches = planned(&job).touches;
-    // Aside by a hundredth of a millimetre, over a way of two hundredths.
+    // Aside by a hundredth of a millimetre, over two hundredths.
     let picks = |aside: f64| {
         let list = touches
             .iter()
@@ -264,7 +263,7 @@ fn a_pick_is_approached_askew() {
     assert_eq!(errors(&picks(0.02)), ["touch-askew cycle.touches[0]"]);
 }
 
-/// Nothing is wrong with these: an invented top side stood in the way.
+/// These jobs are valid: an invented top side refused them.
 #[test]
 fn circles_are_refused_where_nothing_is_wrong() {
     for text in [
@@ -315,7 +314,7 @@ fn another_unit_leaves_tolerances_as_they_are() {
 
 #[test]
 fn a_circle_swallows_the_other() {
-    // 10 mm taken for 10 inch.
+    // 10 mm read as 10 inch.
     let job = cycle(r#"{ "type": "probing-two-circles", "diameter1": 254 }"#);
     assert_eq!(errors(&job), ["circle-in-circle cycle.diameter1"]);
     let other = cycle(r#"{ "type": "probing-two-circles", "diameter2": 140 }"#);
@@ -351,7 +350,7 @@ fn the_most_touches_are_said_of_each_cycle() {
     assert_eq!(planned(&circles).touches.len(), 1584);
 }
 
-// Handing over.
+// Passing data.
 
 #[test]
 fn a_turned_part_reads_six_millimetres_too_large_without_a_word() {
@@ -387,7 +386,7 @@ fn a_turned_part_reads_six_millimetres_too_large_without_a_word() {
 
 #[test]
 fn findings_are_capped_with_a_count() {
-    // The first line is taken for a heading.
+    // The first line is read as a heading.
     let measured = Value::Text("x\n".repeat(400_000));
     let Err(error) = touchpath::job::evaluate(&default_job("hole").unwrap(), &measured) else {
         panic!()
@@ -399,7 +398,7 @@ fn findings_are_capped_with_a_count() {
         ("more-findings", Level::Error)
     );
     assert!(last.message.contains("399799 errors"), "{}", last.message);
-    // What is beyond the list is not forgotten: a good job with two hundred warnings and one error is refused.
+    // Findings beyond the list count: a job with two hundred warnings and one error is refused.
     let unknown: Vec<(String, Value)> = (0..5000).map(|i| (format!("k{i}"), Value::Null)).collect();
     let mut job = default_job("hole").unwrap();
     if let Value::Map(entries) = &mut job {
@@ -415,7 +414,7 @@ fn unknown_keys_do_not_hide_the_error_that_matters() {
         let keys: String = (0..200).map(|i| format!(r#""zz{i}": 1, "#)).collect();
         job(&format!(r#"{{ {keys} "format": 1, "cycle": {cycle} }}"#))
     };
-    // One pick where four are needed: a panic where the 201st error was forgotten.
+    // One pick where four are needed: a panic when the 201st error was dropped.
     for kind in ["hole", "internal-rectangle", "triple-wall-external-corner"] {
         let job = noise(&format!(
             r#"{{ "type": "{kind}", "touches": [{{ "point": [0, 0, 0], "vector": [1, 0, 0] }}] }}"#
@@ -450,7 +449,7 @@ fn the_ends_of_ranges_hold_in_inch() {
     }
 }
 
-/// The modes of the source are 0 to 3. A postprocessor may know another, so it is taken and said.
+/// The modes of the source are 0 to 3. A postprocessor may support another, so it is accepted with a note.
 #[test]
 fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
     for (mode, warned) in [(0, false), (3, false), (4, true), (-1, true)] {
@@ -471,8 +470,8 @@ fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
     }
 }
 
-/// On a tie a coordinate is rounded by other means than beside it: the same digits must count as the same word. No word has changed here, so all
-/// three are in the block.
+/// On a tie a coordinate is rounded differently than beside it: the same digits must count as the same word. No word has changed here, so all three are in the
+/// block.
 #[test]
 fn the_same_number_made_in_two_ways_is_another_word() {
     let job = job(

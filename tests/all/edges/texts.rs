@@ -57,7 +57,7 @@ fn comment_lines_are_longer_than_the_control_takes() {
     }
 }
 
-/// In G18 a control shows `center.x=30`, and 30 lies on Z.
+/// In G18 a control shows `center.x=30`, and 30 is on Z.
 #[test]
 fn the_x_of_a_result_looked_like_the_axis_x() {
     let says = |job: &Value| {
@@ -172,7 +172,7 @@ fn printing_in_inch_hides_small_values() {
     );
 }
 
-/// Another version's defaults would make another program of a header that leaves them out.
+/// Another version's defaults would make another program from a header that omits them.
 #[test]
 fn the_header_says_only_what_the_loose_job_said() {
     let loose = job(
@@ -294,7 +294,7 @@ fn rows_of_the_angular_variant_contradict_the_rectangular_one() {
                 .any(|end| c.ends_with(end))),
             "{codes:?}"
         );
-        // And their absence is none in a dump.
+        // Missing in a dump they mean none.
         let dump = export_table(&planned(&rectangular), "text").unwrap();
         assert!(
             import(&dump)
@@ -308,7 +308,7 @@ fn rows_of_the_angular_variant_contradict_the_rectangular_one() {
     }
 }
 
-/// The angle of a corner comes back as 19.999999… or its place lies out of what a form takes: the job is not refused for it.
+/// The angle of a corner returns as 19.999999… or its position is outside the range of a form: the job is not refused for it.
 #[test]
 fn dumps_at_the_ends_of_ranges_come_back_refused() {
     for (kind, fields) in [
@@ -383,7 +383,7 @@ fn picks_that_meet_beyond_every_range_stay_picks() {
         let imported = import(&export_table(&first, "text").unwrap()).unwrap();
         assert_eq!(errors(&imported.job), [""; 0]);
     }
-    // Distances beyond the form's range are refused as picks already.
+    // Distances beyond the form's range are refused in picks already.
     assert!(
         refused,
         "the distance to the first touch is beyond its range"
@@ -397,7 +397,7 @@ fn a_text_of_any_length_is_read() {
     assert_eq!(error.findings[0].code, "text-too-long");
     assert_eq!(catalog().longest_text, 2_000_000);
     assert!(import(&long[..1_000_000]).is_ok());
-    // Letters are counted, not bytes: 3.8 million of them here.
+    // Characters are counted, not bytes: 3.8 million of them here.
     let cyrillic = format!("CmdPrm.Int[-1] = 7\n;{}", "Ж".repeat(1_900_000));
     assert!(import(&cyrillic).is_ok());
     let error = import(&format!("{cyrillic}{}", "Ж".repeat(200_000))).unwrap_err();
@@ -445,7 +445,7 @@ fn numbers_are_read_an_ulp_apart() {
 
 #[test]
 fn a_sinumerik_header_says_the_job_that_made_the_program() {
-    // No form is said: the reader takes moves, though the cycle's own control is another.
+    // Without a form the reader reads moves, although the cycle's own control is another.
     let job = job(
         r#"{ "format": 1, "cycle": { "type": "probing-two-circles" }, "control": { "post": "sinumerik" } }"#,
     );
@@ -460,7 +460,7 @@ fn a_sinumerik_header_says_the_job_that_made_the_program() {
         ["part-not-in-program"]
     );
     assert_eq!(planned(&read.job).program.text, text);
-    // A header without the control: the blocks cannot be compared, and that is said.
+    // A header without the control: the blocks cannot be compared, which is reported.
     let other = import(&text.replace("control.post=sinumerik ", "")).unwrap();
     assert!(
         other
@@ -481,7 +481,7 @@ fn a_dump_that_is_a_hundredth_of_a_micrometre_off_level_is_level() {
             {{ "point": [0, 15, 0], "vector": [1, 0, 0] }}, {{ "point": [0, 35, 0], "vector": [1, 0, 0] }}] }} }}"#
         ))
     };
-    // A contact in a crossing lifts; only the last move, up, does not.
+    // A contact in a crossing retracts; only the last, upward move does not.
     let exits: Vec<String> = planned(&corner(""))
         .program
         .text
@@ -536,7 +536,7 @@ fn a_program_high_above_the_table_is_read_with_the_stylus_above_it() {
             + 1,
         text.lines().count()
     );
-    // With PREDEF the clearance height is not known: the stylus is taken above the touches all the same.
+    // With PREDEF the clearance height is unknown: the stylus is still assumed above the touches.
     let predef = import(&text.replace("Q260=+200", "Q260=PREDEF"))
         .unwrap()
         .job;

@@ -1,4 +1,4 @@
-//! Dumps of the parameters become the job again, however they are written.
+//! Dumps of the parameters become the job again, in every spelling.
 
 use super::{dumped_job, numbered, value};
 use crate::common::import;
@@ -9,7 +9,7 @@ use touchpath::describe::export_table;
 use touchpath::form::{Level, Value};
 use touchpath::job::{check, default_job, job_name, plan};
 
-/// Everything but order.
+/// Equality without order.
 fn sorted(value: &Value) -> Value {
     match value {
         Value::Map(entries) => {
@@ -24,7 +24,7 @@ fn sorted(value: &Value) -> Value {
     }
 }
 
-/// The job with the defaults where its variant leaves a field without a meaning: a dump of the rectangular variant does not say them.
+/// The job with defaults in fields that its variant does not use: a dump of the rectangular variant omits them.
 fn without_idle(job: &Value) -> Value {
     let rectangular = job.get("cycle").and_then(|c| c.get("variant")) == Some(&number(0.0));
     [
@@ -39,7 +39,7 @@ fn without_idle(job: &Value) -> Value {
     })
 }
 
-/// Job, dump, job: the same, in each of the three forms.
+/// Job, dump, job: equal in each of the three forms.
 #[test]
 fn a_dump_becomes_the_job_again() {
     law(150, 40, (dumped_job(),), |(job,)| {
@@ -49,7 +49,7 @@ fn a_dump_becomes_the_job_again() {
         for format in ["text", "csv", "json"] {
             let dump = export_table(&planned, format).unwrap();
             let imported = import(&dump).map_err(|e| TestCaseError::fail(format!("{e} {dump}")))?;
-            // A dump says no name: it is that of what it measures.
+            // A dump has no name: the job gets the default one.
             let named = with(&without_idle(&job), "name", Value::Text(job_name(&job)));
             prop_assert_eq!(
                 sorted(&imported.job),
@@ -65,7 +65,7 @@ fn a_dump_becomes_the_job_again() {
                     .iter()
                     .any(|f| f.code == "not-in-dump" && f.path == "feeds")
             );
-            // Mutilated dumps are read or refused; nothing panics.
+            // Mutilated dumps are read or refused without a panic.
             let middle = dump.floor_char_boundary(dump.len() / 2);
             let _ = import(&dump[..middle]).map(|i| check(&i.job));
             let _ = import(&dump[middle..]).map(|i| check(&i.job));
@@ -76,7 +76,7 @@ fn a_dump_becomes_the_job_again() {
     });
 }
 
-/// Nothing that is pasted in panics.
+/// No pasted text causes a panic.
 #[test]
 fn nothing_pasted_panics() {
     law(
@@ -95,7 +95,7 @@ fn nothing_pasted_panics() {
     );
 }
 
-/// A dump as logs have it: spaces, decimal commas, another order, codes of the user's own, an older version without -66 and -200.
+/// A dump as in real logs: spaces, decimal commas, another order, codes of the user, an older version without -66 and -200.
 #[test]
 fn a_real_life_dump_is_read() {
     let dump = "EXTCYCLE 500 CALL(52)\n  CmdPrm. Flt [-55] : 10,5\n CmdPrm.Flt[-50]=20\nCmdPrm.Int[-1]   =  7 ; type\n\
@@ -126,7 +126,7 @@ fn a_real_life_dump_is_read() {
     let said: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
     assert_eq!(said, ["unknown-code", "not-in-dump", "not-in-dump"]);
     assert_eq!(crate::common::values(&imported.findings[0]), ["-77"]);
-    // What is missing is said, code by code, and defaults apply.
+    // Missing codes are reported one by one, and defaults apply.
     let short = import(&dump.replace("CmdPrm.Flt[-51] = 12,0\n", "")).unwrap();
     assert!(
         short
@@ -140,7 +140,7 @@ fn a_real_life_dump_is_read() {
             .iter()
             .any(|f| f.code == "not-a-flag" && f.path == "cycle.compensateDimensions")
     );
-    // The Int accessor for -66 is as good, and then the used points are centres of a ball whose radius is not stated.
+    // The Int accessor for -66 works, too; then the used points are centres of a ball whose radius is not stated.
     let balls = import(&format!("{dump}CmdPrm.Int[-66] = 1\n")).unwrap();
     assert!(balls.findings.iter().any(|f| f.code == "ball-unknown"));
     assert_eq!(
@@ -174,7 +174,7 @@ fn a_real_life_dump_is_read() {
         on.job.get("cycle").unwrap().get("on"),
         Some(&Value::Flag(false))
     );
-    // A vector that points the wrong way becomes a job that says so.
+    // A vector in the wrong direction becomes a job with a finding.
     let wrong = import(&dump.replace("Flt[-103] = -1", "Flt[-103] = 1")).unwrap();
     assert!(wrong.findings.iter().any(|f| f.code == "touches-unsound"));
     assert!(
@@ -184,8 +184,7 @@ fn a_real_life_dump_is_read() {
     );
 }
 
-/// What a dump is read from does not depend on the default ball: clearances that only a smaller one allows, another plane, three
-/// decimals, a ball between the blocks.
+/// Reading a dump does not depend on the default ball: clearances that only a smaller one allows, another plane, three decimals, a ball between the blocks.
 #[test]
 fn a_dump_is_placed_whatever_the_ball() {
     let dump = |text: &str| export_table(&planned(&job(text)), "text").unwrap();
@@ -209,7 +208,7 @@ fn a_dump_is_placed_whatever_the_ball() {
             .all(|f| f.code != "touches-unsound")
     );
     planned(&with(&imported.job, "stylus.diameter", number(2.0)));
-    // Three decimals, as many post-processors print.
+    // Three decimals, as many postprocessors print.
     let corner = dump(
         r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "origin": [10, 20, 0], "rotation": 30, "angle": 80,
         "count1": 3, "step1": 60 } }"#,
@@ -229,7 +228,7 @@ fn a_dump_is_placed_whatever_the_ball() {
         (value(&plan, "corner.x") - 10.0).abs() < 0.02
             && (value(&plan, "corner.y") - 20.0).abs() < 0.02
     );
-    // A web fits several planes: that is said.
+    // A web fits several planes, which is reported.
     let web = import(&dump(r#"{ "format": 1, "cycle": { "type": "web" } }"#)).unwrap();
     assert!(
         web.findings
@@ -255,7 +254,7 @@ fn a_dump_is_placed_whatever_the_ball() {
     );
 }
 
-/// Codes of the user's own in any state make no job in error.
+/// Codes of the user in any form cause no error.
 #[test]
 fn own_codes_are_kept_as_well_as_can_be() {
     let dump = export_table(&planned(&default_job("web").unwrap()), "text").unwrap();
@@ -272,7 +271,7 @@ fn own_codes_are_kept_as_well_as_can_be() {
         let imported = import(&format!("{dump}{own}")).unwrap();
         planned(&imported.job);
     }
-    // A large hostile text is read in a moment: linear, not quadratic.
+    // A large hostile text is read quickly: linear, not quadratic.
     for hostile in [
         "Flt[1]1 ",
         "int[",
@@ -285,7 +284,7 @@ fn own_codes_are_kept_as_well_as_can_be() {
     }
 }
 
-/// The property says something only if enough jobs have a plan, of every type.
+/// The property is only meaningful if enough jobs of every type have a plan.
 #[test]
 fn every_type_takes_part_in_the_round_trip() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

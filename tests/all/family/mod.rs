@@ -1,4 +1,4 @@
-//! The ENCY / SprutCAM family: rows as the source's pages have them, moves and measurements by hand, and the uncertainties of results.
+//! The ENCY / SprutCAM family: rows as in the source's pages, moves and measurements by hand, and the uncertainties of results.
 
 mod dumps;
 mod picks;
@@ -14,7 +14,7 @@ fn cycle(text: &str) -> Value {
     job(&format!(r#"{{ "format": 1, "cycle": {text} }}"#))
 }
 
-/// How many cycles the family has.
+/// Number of cycles in the family.
 fn numbered() -> usize {
     CYCLES.iter().filter(|def| def.number.is_some()).count()
 }
@@ -349,7 +349,7 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-7
 }
 
-/// What each kind measures on a part that lies off, by formulas on paper.
+/// Results of each kind on a displaced part, by formulas on paper.
 #[test]
 fn the_virtual_part_of_each_kind_by_hand() {
     let off = |text: &str, part: &str| {
@@ -357,7 +357,7 @@ fn the_virtual_part_of_each_kind_by_hand() {
             r#"{{ "format": 1, "cycle": {text}, "part": {part} }}"#
         )))
     };
-    // A circle stays one: centre and diameter to the letter. Uncertainties of four touches: σ/√2 for the centre, σ for the size.
+    // A circle stays one: centre and diameter are exact. Uncertainties of four touches: σ/√2 for the centre, σ for the size.
     for kind in ["hole", "hole-protected", "boss"] {
         let plan = off(
             &format!(r#"{{ "type": "{kind}", "origin": [10, 20, 0], "diameter": 40 }}"#),
@@ -382,7 +382,7 @@ fn the_virtual_part_of_each_kind_by_hand() {
             "{sigma:?}"
         );
     }
-    // Turned by t the walls of a groove are (W − d)(1/cos t − 1) too far apart, those of a web (W + d)(1/cos t − 1).
+    // Rotated by t, the walls of a groove are (W − d)(1/cos t − 1) too far apart, those of a web (W + d)(1/cos t − 1).
     let secant = 1.0 / 1f64.to_radians().cos() - 1.0;
     let turned = r#"{ "rotation": 1 }"#;
     assert!(near(
@@ -415,7 +415,7 @@ fn the_virtual_part_of_each_kind_by_hand() {
             .unwrap()
             .contains("(W + d)")
     );
-    // A groove along Y sees a shift in X only, one turned by 30° the part of it along its normal.
+    // A groove along Y detects a shift only in X; one rotated by 30° the part of it along its normal.
     let groove = off(
         r#"{ "type": "groove", "origin": [5, 6, 0], "rotation": 30, "width": 30 }"#,
         r#"{ "offset": [0.2, 0.1, 0] }"#,
@@ -458,7 +458,7 @@ fn the_virtual_part_of_each_kind_by_hand() {
             "{kind} {corner:?}"
         );
     }
-    // A corner that measures its own angles has no error, turned and with another angle.
+    // A corner that measures its angles has no error, rotated and with another angle.
     let corner = off(
         r#"{ "type": "double-wall-external-corner", "origin": [10, 20, 0], "rotation": 25, "angle": 75, "count1": 2, "count2": 3 }"#,
         r#"{ "offset": [0.3, -0.2, 0], "rotation": 0.4, "sizes": { "angle": 0.3 } }"#,
@@ -475,7 +475,7 @@ fn the_virtual_part_of_each_kind_by_hand() {
     );
 }
 
-/// A wrong word is found where the part is in the way: a crossing below the top of a block, a ball that does not go in.
+/// A wrong dimension is found if the part is in the way: a crossing below the top of a block, a ball that does not fit.
 #[test]
 fn dimensions_that_do_not_go_together_are_refused() {
     let found = |text: &str| -> Vec<String> {
@@ -525,14 +525,14 @@ fn dimensions_that_do_not_go_together_are_refused() {
         found(r#"{ "type": "hole", "variant": 1, "stepCount": 17 }"#),
         ["out-of-range cycle.stepCount"]
     );
-    // An internal corner of three walls with a sharp angle: the ball meets the other wall.
+    // An internal corner of three walls with a sharp angle: the ball touches the other wall.
     assert_eq!(
         found(
             r#"{ "type": "triple-wall-internal-corner", "angle": 150, "clearance1": 40, "clearance2": 4 }"#
         ),
         ["touch-beyond-corner cycle.clearance2"]
     );
-    // Touches two of which are one give no circle: said, and the results are null.
+    // Touches of which two coincide define no circle: reported, and the results are null.
     let twice = cycle(r#"{ "type": "hole", "variant": 1, "stepCount": 4, "angularStep": 180 }"#);
     assert!(
         check(&twice)
@@ -553,7 +553,7 @@ fn picked(kind: &str, rest: &str, touches: &[([f64; 3], [f64; 3])]) -> Value {
     ))
 }
 
-/// A number as a form would be written with: three decimals.
+/// A number as in a form: three decimals.
 fn written(low: f64, high: f64) -> BoxedStrategy<Value> {
     ((low * 1000.0) as i64..=(high * 1000.0) as i64)
         .prop_map(|n| number(n as f64 / 1000.0))
@@ -586,7 +586,7 @@ fn field_value(field: &'static Field) -> BoxedStrategy<Value> {
     }
 }
 
-/// A job of the family as its dump could bring it back: defaults around the cycle, but for stylus and plane.
+/// A job of the family that its dump could restore: defaults around the cycle, except stylus and plane.
 fn dumped_job() -> impl Strategy<Value = Value> {
     (0..CYCLES.len())
         .prop_filter("of the family", |i| CYCLES[*i].number.is_some())
@@ -626,7 +626,7 @@ fn dumped_job() -> impl Strategy<Value = Value> {
                             Value::Map(own.into_iter().map(|(k, v)| (k.to_owned(), v)).collect());
                         job = with(&job, "cycle.custom", Value::List(vec![own]));
                     }
-                    // The plane is seen in the vectors where no surface lies square to its tool axis alone, the ball in compensated points.
+                    // The vectors show the plane if not all surfaces are perpendicular to its tool axis; compensated points show the ball.
                     if def.place.is_some() && def.key != "surface" {
                         job = with(
                             &job,
@@ -673,8 +673,7 @@ fn defaults_are_complete() {
     }
 }
 
-/// The uncertainty of every result of every type is what the scatter of each touch does to it, by difference quotients through the
-/// evaluation of measured points.
+/// The uncertainty of every result of every type equals the effect of each touch's scatter, by difference quotients through the evaluation of measured points.
 #[test]
 fn uncertainties_agree_with_difference_quotients() {
     let step = 1e-4;

@@ -1,4 +1,4 @@
-//! Picked touches: they replace the dimensions, and what makes no feature is refused.
+//! Picked touches: they replace the dimensions; touches that define no feature are refused.
 
 use super::{cycle, dumped_job, near, picked, value};
 use crate::common::import;
@@ -26,7 +26,7 @@ fn picked_touches_replace_the_dimensions() {
     assert_eq!(plan.moves[1].to, [0.0, 0.0, 10.0]);
     assert_eq!(plan.moves[2].to, [32.0, 5.0, 10.0]);
     assert!(near(value(&plan, "width1"), 80.0) && near(value(&plan, "center.y"), 0.0));
-    // The picks decide, the form only fills the table, and the difference is said.
+    // The picks decide, the form only fills the table, and the difference is reported.
     let other = picked(
         "internal-rectangle-protected",
         r#""width1": 90, "rotation": 45, "origin": [500, 0, 0],"#,
@@ -46,7 +46,7 @@ fn picked_touches_replace_the_dimensions() {
             .unwrap()
             .contains("Flt[-53] = 90\n")
     );
-    // Dimensions that are replaced are not held against the job; those of the picks are.
+    // Replaced dimensions are not checked; those of the picks are.
     planned(&picked(
         "internal-rectangle-protected",
         r#""width1": 4,"#,
@@ -81,7 +81,7 @@ fn picked_touches_replace_the_dimensions() {
     );
 }
 
-/// Walls named the other way round: the same corner with its sides exchanged is measured as the same corner.
+/// Walls in the reverse order: the same corner with its sides exchanged has the same results.
 #[test]
 fn a_corner_may_be_picked_with_its_walls_in_either_order() {
     let part = r#"{ "offset": [0.3, -0.2, 0], "rotation": 0.4, "sizes": { "angle": 0.2 } }"#;
@@ -175,7 +175,7 @@ fn picks_that_make_no_feature_are_refused() {
         with_pick(0, POCKET[0].0, [-0.8, 0.0, 0.6])[0],
         "vector-not-in-plane cycle.touches[0].vector"
     );
-    // Both vectors of a pair turned round: the sign check of an internal feature.
+    // Both vectors of a pair reversed: the sign check of an internal feature.
     let mut outside = POCKET;
     for pick in &mut outside[..2] {
         pick.1 = pick.1.map(|x| -x);
@@ -218,7 +218,7 @@ fn picks_that_make_no_feature_are_refused() {
         found(&picked("hole", "", &dented)),
         ["not-on-one-circle cycle.touches[2]"]
     );
-    // Cycles that touch from the middle need touches straight in front of it.
+    // Cycles that touch from the centre need touches straight in front of it.
     assert_eq!(
         found(&picked("internal-rectangle", "", &POCKET))[0],
         "touch-aside cycle.touches[0].point"
@@ -239,7 +239,7 @@ fn picks_that_make_no_feature_are_refused() {
         found(&picked("hole", r#""variant": 1,"#, &clockwise)),
         [""; 0]
     );
-    // Two touches on one spot say nothing of a wall's direction.
+    // Two touches at one position define no direction of a wall.
     let spot = [
         ([0.0, 15.0, 0.0], [-1.0, 0.0, 0.0]),
         ([0.0, 15.0, 0.0], [-1.0, 0.0, 0.0]),
@@ -250,7 +250,7 @@ fn picks_that_make_no_feature_are_refused() {
         found(&picked("double-wall-external-corner", "", &spot)),
         ["touches-coincide cycle.touches[1]"]
     );
-    // Of a start that is not one point both readings are said.
+    // For an ambiguous start both interpretations are reported.
     let corner = [
         ([0.0, 21.0, 0.0], [1.0, 0.0, 0.0]),
         ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
@@ -313,8 +313,8 @@ fn picks_that_make_no_feature_are_refused() {
     assert_eq!(found(&cycle(custom)), wrong);
 }
 
-/// Picking the very touches that the dimensions give changes nothing, at any position of the feature; and a part that
-/// lies off, or has other sizes, is measured the same.
+/// Picking the same touches as the dimensions give changes nothing, at any position of the feature; a displaced part, or one with other sizes, has the same
+/// results.
 #[test]
 fn picking_what_the_dimensions_give_changes_nothing() {
     law(
@@ -417,7 +417,7 @@ fn picked_touches_come_back_as_picked() {
     assert_eq!(second.table, first.table);
 }
 
-/// The depth of the form was in the table without a word, where the touches on the walls lie deeper below the one on top.
+/// The depth of the form was in the table without a note, although the touches on the walls are deeper below the one on top.
 #[test]
 fn a_depth_that_the_picks_do_not_have_is_said() {
     let corner = [
@@ -445,7 +445,7 @@ fn a_depth_that_the_picks_do_not_have_is_said() {
                 found.is_none_or(|f| crate::common::values(f) == ["10 mm", "25 mm"]),
                 "{found:?}"
             );
-            // The start is the top clearance above what is touched on top, whatever the form says.
+            // The start is the top clearance above the highest touch, for any value in the form.
             let highest = plan
                 .moves
                 .iter()

@@ -8,7 +8,7 @@ use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::path::FeatureKind;
 
 fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
-    // Rows of the table alone: a program of moves states its modes and ends.
+    // Rows without touches: a program of moves states its modes and ends.
     if matches!(def.probes, FeatureKind::Switch | FeatureKind::Action) {
         return match ProgramForm::ALL.map(|form| (post.supports)(def.probes, form).is_ok()) {
             [_, true] => "native cycle",
@@ -61,7 +61,7 @@ pub fn page() -> String {
          |---|---|---|---|---|---|\n",
     );
     let yes = |is: bool| if is { "yes" } else { "no" };
-    // A control that takes no plain moves does both by its own cycle.
+    // A control without plain moves uses its native cycle for both.
     let moves = |post: &PostDef| {
         CYCLES
             .iter()

@@ -1,4 +1,4 @@
-//! JavaScript's half of the border: what crosses it, from the crate's own lists.
+//! The JavaScript side of packed data, from the crate's own lists.
 
 use std::fmt::Write;
 
@@ -20,7 +20,7 @@ fn property(field: &str) -> String {
     })
 }
 
-/// A list as the formatter has it: in one line where that has no more than 120 characters.
+/// A list as the formatter prints it: on one line up to 120 characters.
 fn listed(before: &str, items: &[String], brackets: (&str, &str), blank: &str) -> String {
     let (open, close) = brackets;
     let one = format!("{before}{open}{blank}{}{blank}{close};\n", items.join(", "));

@@ -1,4 +1,4 @@
-//! From the parameter table to the calls of each control: a page of the manual for authors of postprocessors, made from what the writers do.
+//! From the parameter table to the calls of each control: a page of the manual for authors of postprocessors, made from the output of the writers.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -30,7 +30,7 @@ fn job(def: &CycleDef, post: &str, offset: Option<f64>) -> Value {
     )
 }
 
-/// What a row means: of a touch with its axis, else the first words.
+/// Meaning of a row: for a touch with its axis, otherwise its first words.
 fn meaning(row: &ParameterRow) -> String {
     let whole = row.meaning.english();
     if row.touch.is_some() {
@@ -40,7 +40,7 @@ fn meaning(row: &ParameterRow) -> String {
     }
 }
 
-/// The calls of a program in their order, without the letters.
+/// Calls of a program in order, without the letters.
 fn order(text: &str) -> String {
     let words = text.lines().filter_map(|line| {
         let call = line

@@ -1,4 +1,4 @@
-//! The TypeScript types of plans and other results, printed from the crate's own structs: names, doc comments and all.
+//! The TypeScript types of plans and other results, printed from the crate's structs with their doc comments.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -52,7 +52,7 @@ const SOURCES: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// What TypeScript can say more exactly than the struct: its name there.
+/// Types that TypeScript can state more exactly than the struct.
 const EXACT: &[(&str, &str)] = &[
     (
         "Move.feed",
@@ -95,7 +95,7 @@ import type { Cycle, PostId, Relation, Vec3 } from \"./job-types.js\";
 import type { Message } from \"./said.js\";
 ";
 
-/// The verdict of the whole workpiece says what the control does then.
+/// The verdict of the whole workpiece includes the reaction of the control.
 const VERDICT: &str = r#"
 /** Verdict of a tolerance or limit on a value. */
 export type Judged =
@@ -218,7 +218,7 @@ fn union(text: &mut String, item: &syn::ItemEnum) {
     .unwrap();
 }
 
-/// Names that say too little outside their module.
+/// Names that are too general outside their module.
 fn exported(name: &str) -> &str {
     if name == "Kind" { "TraceKind" } else { name }
 }
@@ -286,7 +286,7 @@ fn doc(attributes: &[Attribute], indent: &str) -> String {
             _ => None,
         })
         .collect();
-    // A link to an item of the crate is its name here.
+    // A link to an item of the crate becomes its name.
     let text = lines
         .join(" ")
         .replace("[`CODES`](crate::form::CODES)", "those in docs/findings.md");
@@ -318,7 +318,7 @@ fn serde_value(attributes: &[Attribute], key: &str) -> Option<String> {
     found
 }
 
-/// Whether JavaScript gets a text composed, as a string.
+/// Whether JavaScript receives a text as a composed string.
 fn composed(attributes: &[Attribute]) -> bool {
     serde_value(attributes, "serialize_with").is_some_and(|by| by == "in_english")
 }

@@ -40,7 +40,7 @@ export interface CustomCode {
 export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" };
 "#;
 
-/// What every job may have beside its sections.
+/// Keys that every job may have besides its sections.
 const TOLERANCES: &str = r#"  /** The tolerance of each result, by its code: `diameter`, in a set-up `BORE.diameter`. */
   tolerances?: Record<string, ResultTolerance> | null;
 "#;
@@ -121,7 +121,7 @@ export interface SetUp extends Omit<Job, "format" | "cycle"> {
 }
 "#;
 
-/// What a relation is of: `two places`, `three results or more`.
+/// Operands of a relation: `two positions`, `three results or more`.
 fn relation_of(def: &RelationDef) -> String {
     let count = ["no", "one", "two", "three", "four"][def.least];
     let what = if def.places { "places" } else { "results" };

@@ -1,4 +1,4 @@
-//! Every text that the crate may say, as a list: what a language needs words for.
+//! Every text of the crate, as a list for the translations.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub fn words() -> String {
     format!("[\n{}\n]\n", lines.join(",\n"))
 }
 
-/// Whether a text has words: texts in braces, numbers, codes and single letters are the same in every language.
+/// Whether a text has words: braces, numbers, codes and single letters are the same in every language.
 fn has_words(template: &str) -> bool {
     let outside: String = template
         .split('{')
@@ -33,7 +33,7 @@ fn has_words(template: &str) -> bool {
     words.any(|word| word.len() > 1 && word.chars().any(|c| c.is_ascii_lowercase()))
 }
 
-/// What `text!` and `words!` have in the sources.
+/// Texts in `text!` and `words!` of the sources.
 fn scan(folder: &Path, found: &mut BTreeSet<String>) {
     let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)
         .unwrap()
@@ -68,7 +68,7 @@ fn literal(source: &str) -> &str {
     end.map_or(source, |(end, _)| &source[..=end])
 }
 
-/// What the catalog says: titles, labels, helps, choices, steps, rules.
+/// Texts of the catalog: titles, labels, helps, choices, steps, rules.
 fn described(found: &mut BTreeSet<String>) {
     let catalog = catalog();
     let mut add = |text: &str| {

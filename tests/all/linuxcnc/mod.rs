@@ -1,5 +1,5 @@
-//! LinuxCNC's own interpreter runs every golden program: it accepts it, its moves are the planned path, and what it
-//! prints is what an independent calculation makes of the same points.
+//! LinuxCNC's own interpreter runs every golden program: it accepts it, its moves are the planned path, and its printed results equal those of an independent
+//! calculation from the same points.
 
 mod preview;
 mod ways;
@@ -11,7 +11,7 @@ use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Plan, default_job};
 
-/// Every job but those of 1411, which `circles.rs` judges; those for another control put out for LinuxCNC.
+/// Every job except those of 1411, which `circles.rs` judges; those for another control are converted to LinuxCNC.
 fn linuxcnc_jobs() -> Vec<(String, Value, Plan)> {
     crate::common::unlimited_jobs()
         .into_iter()
@@ -54,8 +54,8 @@ fn plane_axes(job: &Value) -> [usize; 2] {
     }
 }
 
-/// What the points give, by ways that share nothing with the crate: the rectangle by projecting on measured pairs, the
-/// corner by a search for the line of least squares and a linear solve of two point-direction lines.
+/// Results of the points, by methods that share no code with the crate: the rectangle by projection on measured pairs, the corner by a search for the
+/// least-squares line and a linear solution of two point-direction lines.
 fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str, f64)> {
     if points.is_empty() {
         return Vec::new();
@@ -69,13 +69,13 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
         .map(|t| (t.vector[a], t.vector[o]))
         .collect();
     if plan.touches.len() == 4 && plan.results.iter().any(|r| r.code == "width1") {
-        // Surface points: from the ball centre a radius against the target vector.
+        // Surface points: one radius from the ball centre against the target vector.
         let surface: Vec<(f64, f64)> = flat
             .iter()
             .zip(&normals)
             .map(|(p, n)| (p.0 - r * n.0, p.1 - r * n.1))
             .collect();
-        // The middle of a pair along its own direction; across it, the other pair decides.
+        // The middle of a pair along its direction; across it, the other pair determines it.
         let along = |i: usize, p: (f64, f64)| -(p.0 * normals[i].0 + p.1 * normals[i].1);
         let (s1, s2) = (along(0, surface[0]), along(0, surface[1]));
         let (s3, s4) = (along(2, surface[2]), along(2, surface[3]));
@@ -96,7 +96,7 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
         return circle(&flat, normals[0], r);
     }
     if has("width") {
-        // The middle of the two surface points, but along the walls where the picked or nominal middle is.
+        // The middle of the two surface points; along the walls the picked or nominal middle.
         let (n, touches) = (normals[0], &plan.touches);
         let surface = |i: usize| (flat[i].0 - r * normals[i].0, flat[i].1 - r * normals[i].1);
         let (s, t) = (surface(0), surface(1));
@@ -171,7 +171,7 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
 
 type Spot = (f64, f64);
 
-/// The circle through three of the ball centres, by where two perpendicular bisectors meet.
+/// The circle through three of the ball centres, from the intersection of two perpendicular bisectors.
 fn circle(places: &[Spot], normal: Spot, r: f64) -> Vec<(&'static str, f64)> {
     let n = places.len();
     let [p, q, s] = [places[0], places[n / 3], places[2 * n / 3]];
@@ -186,7 +186,7 @@ fn circle(places: &[Spot], normal: Spot, r: f64) -> Vec<(&'static str, f64)> {
     let det = a1 * b2 - a2 * b1;
     let center = ((c1 * b2 - c2 * b1) / det, (a1 * c2 - a2 * c1) / det);
     let out = (p.0 - center.0, p.1 - center.1);
-    // The target vector of a hole points to the middle.
+    // The target vector of a hole points to the centre.
     let hole = out.0 * normal.0 + out.1 * normal.1 < 0.0;
     let radius = out.0.hypot(out.1) + if hole { r } else { -r };
     vec![
@@ -196,7 +196,7 @@ fn circle(places: &[Spot], normal: Spot, r: f64) -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// Gauss with pivots.
+/// Gaussian elimination with pivots.
 fn solved(mut rows: Vec<[f64; 4]>) -> [f64; 3] {
     for i in 0..3 {
         let pivot = (i..3)
@@ -216,7 +216,7 @@ fn solved(mut rows: Vec<[f64; 4]>) -> [f64; 3] {
     [0, 1, 2].map(|i| rows[i][3] / rows[i][i])
 }
 
-/// A point on the surface line, its direction, and by how many degrees it is turned counter-clockwise from the nominal one.
+/// A point on the surface line, its direction, and its rotation from the nominal one in degrees, counter-clockwise positive.
 fn fitted_line(places: &[Spot], normal: Spot, r: f64) -> (Spot, Spot, Option<f64>) {
     let n = places.len() as f64;
     let mean = places
@@ -225,7 +225,7 @@ fn fitted_line(places: &[Spot], normal: Spot, r: f64) -> (Spot, Spot, Option<f64
     let nominal = normal.1.atan2(normal.0);
     let mut turn = 0.0;
     if places.len() > 1 {
-        // The sum of squared distances, minimised by golden section over the normal's angle, 30° either way.
+        // The sum of squared distances, minimised by golden-section search over the normal's angle, ± 30°.
         let cost = |t: f64| -> f64 {
             let (sin, cos) = (nominal + t).sin_cos();
             places
@@ -260,7 +260,7 @@ fn compare_prints(
     ran: &Interpreted,
 ) -> Result<(), String> {
     let expected = expected(job, plan, points);
-    // All touches went as far past their contacts: they lie on a circle, and on a line.
+    // All touches ended equally far past their contacts: they are on a circle, or on a line.
     let (residuals, prints): (Vec<_>, Vec<_>) = ran
         .prints
         .iter()
@@ -275,7 +275,7 @@ fn compare_prints(
         return Err(format!("printed {:?}, expected {expected:?}", ran.prints));
     }
     for ((code, printed), (wanted, value)) in prints.into_iter().zip(&expected) {
-        // The program's targets are rounded to the control's decimals; angles see that over the length of a wall.
+        // The program's targets are rounded to the control's decimals; for angles that counts over the length of a wall.
         let tolerance = if matches!(*wanted, "angle" | "rotation") {
             2e-3
         } else {
@@ -290,7 +290,7 @@ fn compare_prints(
     Ok(())
 }
 
-/// Where the interpreter's probe ends: at its target, contact plus overtravel.
+/// End of the interpreter's probe: its target, contact plus overtravel.
 fn targets(job: &Value, plan: &Plan) -> Vec<[f64; 3]> {
     let over = overtravel(job) + 0.0;
     let r = radius(job);
@@ -327,7 +327,7 @@ fn feeds_are_the_forms_and_units_are_stated() {
         let ran = interpret(&plan.program.text).unwrap();
         let inch = job.get("units") == Some(&Value::Text("inch".into()));
         assert_eq!(ran.inch, inch, "{name}");
-        // The approach takes more moves than one: the moves are counted from the end.
+        // The approach takes several moves, so the moves are counted from the end.
         for (canon, step) in ran.moves.iter().rev().zip(plan.moves.iter().rev()) {
             let (path, default) = match step.feed {
                 "approach" => ("feeds.approach", 2000.0),
@@ -385,7 +385,7 @@ fn the_work_offset_is_written_once_and_puts_the_feature_on_its_nominal_place() {
     }
 }
 
-/// Along X, Y and Z: what is measured of the place that a cycle is about, and what is nominal.
+/// Measured and nominal position of a cycle along X, Y and Z.
 fn places(job: &Value, plan: &Plan, results: &[(&'static str, f64)]) -> [Option<(f64, f64)>; 3] {
     let [a, o] = plane_axes(job);
     let mut places = [None; 3];
@@ -404,8 +404,8 @@ fn places(job: &Value, plan: &Plan, results: &[(&'static str, f64)]) -> [Option<
     places
 }
 
-/// With an offset and a rotation already in the system, the feature must still come to its nominal position: what is at the
-/// measured point in the old system is at the nominal point in the new one.
+/// With an offset and a rotation already active, the feature must still come to its nominal position: the measured point in the old system is the nominal point
+/// in the new one.
 #[test]
 fn the_write_is_right_under_a_rotation_that_was_active_before() {
     for (name, job, plan) in linuxcnc_jobs()
@@ -425,7 +425,7 @@ fn the_write_is_right_under_a_rotation_that_was_active_before() {
         let ran = interpret(&before).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert_eq!(ran.rotation, Some(25.0), "{name}");
         let results = expected(&job, &plan, &targets(&job, &plan));
-        // A coordinate that is not measured is read on as it was: its nominal place, which here may be any.
+        // A coordinate that is not measured keeps its value: its nominal position, which is arbitrary here.
         let [x, y, _] = places(&job, &plan, &results).map(|p| p.unwrap_or((1.5, 1.5)));
         let (measured, nominal) = ([x.0, y.0], [x.1, y.1]);
         let (_, new) = ran.written.unwrap();
@@ -447,8 +447,7 @@ fn the_write_is_right_under_a_rotation_that_was_active_before() {
     }
 }
 
-/// The program's own arithmetic on the virtual part: its probe targets are replaced by the triggers, and it must print the
-/// plan's results.
+/// The program's own arithmetic on the virtual part: its probe targets are replaced by the triggers, and it must print the plan's results.
 #[test]
 fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
     let mut deviating = 0;
@@ -508,7 +507,7 @@ fn a_broken_program_is_caught() {
         compare_moves(&plan, |_| overtravel(&job), &ran)?;
         compare_prints(&job, &plan, &targets(&job, &plan), &ran)
     };
-    // A wrong sign, a lost line, a lost bracket, a touch without its feed, a radius taken off instead of added.
+    // A wrong sign, a lost line, a lost bracket, a touch without its feed, a radius subtracted instead of added.
     let broken = [
         text.replacen("G38.2 X42", "G38.2 X-42", 1),
         text.replacen("G1 X32 Y0 Z-10 F1000\n", "", 1),

@@ -1,4 +1,4 @@
-//! A program that is loaded: LinuxCNC's screens read it by their own module, in which each probing move ends at its target and `#5070` is 0.
+//! Loading a program: LinuxCNC's screens read it with their own module, in which each probing move ends at its target and `#5070` is 0.
 
 use crate::common::{job, jobs, number, preview, with};
 use touchpath::form::Value;

@@ -1,7 +1,7 @@
-//! What a program does on its way: spindle, contacts where none may be, the first move.
+//! Behaviour of a program during its moves: spindle, unexpected contacts, the first move.
 
 use super::*;
-/// M72 would start the spindle again that was turning at M70, with the stylus in it.
+/// M72 would restart a spindle that was turning at M70, with the stylus in it.
 #[test]
 fn the_spindle_stays_off() {
     for (name, _, plan) in linuxcnc_jobs() {
@@ -32,8 +32,7 @@ fn the_spindle_stays_off() {
     }
 }
 
-/// Each watched move, in which a contact is put by hand: the program stops with its number, lifts only where up is free, and writes
-/// nothing.
+/// A contact is inserted in each watched move: the program stops with its number, retracts only where the path up is free, and writes nothing.
 #[test]
 fn a_contact_in_any_positioning_move_leads_to_the_exit() {
     let (_, _, plan) = linuxcnc_jobs()
@@ -86,7 +85,7 @@ fn a_contact_in_any_positioning_move_leads_to_the_exit() {
         exits += 1;
     }
     assert_eq!(exits, 18);
-    // A probe that is tripped before the start stops the very first block.
+    // A probe that is triggered before the start stops the first block.
     let tripped = plan
         .program
         .text
@@ -96,7 +95,7 @@ fn a_contact_in_any_positioning_move_leads_to_the_exit() {
     assert_eq!(ran.moves.len(), 1, "{:?}", ran.moves);
 }
 
-/// To the first place: up where the stylus is lower, then in the plane, then down.
+/// Approach to the first position: up if the stylus is lower, then in the plane, then down.
 #[test]
 fn the_first_place_is_reached_up_across_and_down() {
     for protection in ["checked", "none"] {
@@ -153,7 +152,7 @@ fn the_first_place_is_reached_up_across_and_down() {
     }
 }
 
-/// The start position of a job is the operator's word: a stylus that was left lower goes up before it goes across.
+/// The operator states the start position of a job: a stylus that is lower moves up before it moves across.
 #[test]
 fn a_stylus_below_the_stated_start_goes_up_first() {
     let circles = with(
@@ -202,7 +201,7 @@ fn a_lathes_diameters_are_switched_off() {
     compare_moves(&plan, |_| overtravel(&job), &ran).unwrap();
 }
 
-/// A touch too short for a probe move is refused, and short positioning moves are plain.
+/// A touch that is too short for a probe move is refused, and short positioning moves are plain.
 #[test]
 fn short_probe_moves_are_not_left_to_the_interpreter() {
     let short = crate::common::job(

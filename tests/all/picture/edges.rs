@@ -1,8 +1,8 @@
-//! Colours, scale and edges: what is cut off, and material behind every contact.
+//! Colours, scale and edges: cut-off items, and material behind every contact.
 
 use super::*;
 
-/// A colour that the page does not name is the default one, in dark too.
+/// A colour that the page does not set has its default, also in dark mode.
 #[test]
 fn the_page_names_the_colours_of_a_picture() {
     let names = touchpath::view::style::COLOURS.map(|(name, ..)| name);
@@ -26,7 +26,7 @@ fn the_page_names_the_colours_of_a_picture() {
     );
     let style = read("www/styles/tokens.css");
     for name in names {
-        // By day and by night.
+        // Light and dark.
         assert!(
             style.matches(&format!("--c-{name}: ")).count() >= 2,
             "{name}"
@@ -34,7 +34,7 @@ fn the_page_names_the_colours_of_a_picture() {
     }
 }
 
-/// Whatever is drawn lies in the picture, also where the part is turned and a touch searches far.
+/// Every drawn item is inside the picture, also for a rotated part and a touch with a long search.
 #[test]
 fn nothing_of_an_svg_is_cut_off() {
     for (cycle, rotation, overtravel) in [
@@ -85,7 +85,7 @@ fn nothing_of_an_svg_is_cut_off() {
     }
 }
 
-/// The bar is a round number of the job's own units, and at most 110 pixels long.
+/// The bar is a round number in the job's units, and at most 110 pixels long.
 #[test]
 fn the_scale_has_the_units_of_the_job() {
     let mut seen = 0;
@@ -119,7 +119,7 @@ fn the_scale_has_the_units_of_the_job() {
     }
 }
 
-/// On the setup sheet the second step was below the picture, since the name of the first one was near; on a phone of 360 pixels the first width.
+/// On the set-up sheet the second step was below the picture because the name of the first one was near; on a phone of 360 pixels the first width.
 #[test]
 fn the_line_of_a_dimension_was_outside_a_small_picture() {
     let steps = crate::common::job(
@@ -162,7 +162,7 @@ fn the_line_of_a_dimension_was_outside_a_small_picture() {
     assert!(seen > 100, "{seen}");
 }
 
-/// In a section there is material behind every contact and air where the ball comes from; nothing cancels out where outlines share an area.
+/// In a section there is material behind every contact and air on the side of the ball; overlapping outlines do not cancel out.
 #[test]
 fn material_is_drawn_behind_every_contact_and_air_before_it() {
     let mut seen = [0; 3];
@@ -181,11 +181,11 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
                 };
                 let [filled, air] = outlines(&scene.material, &camera, 36.0);
                 for touch in &scene.touches {
-                    // Where the wall is looked at from before, it is no edge.
+                    // A wall seen from the front is no edge.
                     if (touch.inward.length() - 1.0).abs() > 1e-9 {
                         continue;
                     }
-                    // A round wall is an edge only where it goes furthest to a side.
+                    // A round wall is an edge only at its extreme sides.
                     if view != Projection::Top
                         && planned
                             .path
@@ -195,7 +195,7 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
                     {
                         continue;
                     }
-                    // A wall may be drawn down to the touch itself, where a ball is a point: looked at a little higher.
+                    // A wall may be drawn down to the touch itself, where a ball is a point: seen from slightly above.
                     let up = if view == Projection::Top { 0.0 } else { 1e-3 };
                     let at = |by: f64| {
                         camera.pixel(touch.contact + touch.inward * by / scale + Vec2::Y * up)

@@ -1,4 +1,4 @@
-//! The picture: what its dimensions say, which walls are seen, how long its moves take.
+//! The picture: its dimensions, visible walls, and the duration of its moves.
 
 mod edges;
 mod names;
@@ -28,14 +28,14 @@ fn of(cycle: &str) -> Value {
     ))
 }
 
-/// Every job of the tests, its cycle's name first; those in inches too.
+/// Every job of the tests in mm, with its cycle's name; jobs in inch are converted.
 fn metric() -> impl Iterator<Item = (String, Value)> {
     jobs()
         .into_iter()
         .filter(|(_, job)| !matches!(job.get("units"), Some(Value::Text(units)) if units == "inch"))
 }
 
-/// Of a hole in G17: what its fields give, and in which of top, front and side that is seen.
+/// For a hole in G17: each field, and the views among top, front and side that show it.
 #[test]
 fn a_turn_is_seen_from_the_top_and_a_height_from_aside() {
     let planned = job::planned(&of("hole")).expect("the job is sound");
@@ -101,7 +101,7 @@ fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
     assert!(seen > 40, "{seen}");
 }
 
-/// As wide as its field says, and between the walls that are touched.
+/// As wide as its field, and between the walls that are touched.
 #[test]
 fn an_angle_is_as_wide_as_its_field_says() {
     let mut seen = 0;
@@ -161,7 +161,7 @@ fn an_angle_is_as_wide_as_its_field_says() {
         panic!("one angle")
     };
     assert_eq!(field, "cycle.angle");
-    // Wall 1 runs up the picture, wall 2 to the right: clockwise.
+    // Wall 1 points up in the picture, wall 2 to the right: clockwise.
     assert!(
         (first.to_degrees() - 90.0).abs() < 1e-9 && (turn.to_degrees() + 90.0).abs() < 1e-9,
         "{first} {turn}"
@@ -181,7 +181,7 @@ fn an_angle_is_as_wide_as_its_field_says() {
     assert!(svg.contains(&said("Corner angle", "90°")), "{svg}");
 }
 
-/// The ends of a width are where its touches are: the picture measures what the probe measures.
+/// The ends of a width are at its touches: the picture measures like the probe.
 #[test]
 fn the_ends_of_a_width_lie_in_the_walls_that_are_touched() {
     let mut seen = 0;
@@ -200,7 +200,7 @@ fn the_ends_of_a_width_lie_in_the_walls_that_are_touched() {
             let (low, high) = spans
                 .iter()
                 .fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
-            // Touches of a circle may differ from its first direction; then they lie within.
+            // Touches of a circle may differ from its first direction; then they are inside.
             let exact = d.field != "cycle.diameter";
             assert!(
                 low > -1e-6 && high < d.from.distance(d.to) + 1e-6,
@@ -257,7 +257,7 @@ fn a_view_shows_only_dimensions_in_their_true_length() {
         fields(Projection::Side),
         upright("cycle.width2", "cycle.sideClearance2")
     );
-    // As an isometric drawing has them: along the part, with the value that is true.
+    // As in an isometric drawing: along the part, with the true value.
     assert_eq!(
         fields(Projection::Isometric),
         ["cycle.width1", "cycle.width2", "cycle.depth"]
@@ -285,7 +285,7 @@ fn a_view_shows_only_dimensions_in_their_true_length() {
     );
 }
 
-/// Of a hole the far half of its wall faces who looks, and the near one is a veil that hides nothing. A boss is seen whole: the near half, and its top.
+/// The far half of a hole's wall faces the viewer, and the near one is transparent and hides nothing. A boss is fully visible: the near half, and its top.
 #[test]
 fn a_hole_is_not_a_boss() {
     let seen = |cycle: &str| {
@@ -319,7 +319,7 @@ fn a_hole_is_not_a_boss() {
     );
 }
 
-/// Touches on the far side of a boss were drawn on top of it. A stud hides those behind it; those in front of it, and all in a hole, are seen.
+/// Touches on the far side of a boss were drawn on top of it. A stud hides those behind it; those in front of it, and all in a hole, are visible.
 #[test]
 fn what_is_behind_the_part_is_drawn_before_it() {
     let behind = |cycle: &str| {
@@ -376,7 +376,7 @@ fn what_is_behind_the_part_is_drawn_before_it() {
     ] {
         assert_eq!(behind(cycle), expected, "{cycle}");
     }
-    // From elsewhere nothing hides anything: walls are seen edge-on, and the material is cut.
+    // From other views nothing is hidden: walls are seen edge-on, and the material is cut.
     assert!(
         built(&of("boss"), Projection::Front)
             .0
@@ -386,7 +386,7 @@ fn what_is_behind_the_part_is_drawn_before_it() {
     );
 }
 
-/// The strips of a round wall are drawn in one, without seams between them.
+/// The strips of a round wall are drawn in one path, without seams between them.
 #[test]
 fn a_round_wall_is_drawn_in_few_strokes() {
     for (cycle, most) in [("boss", 3), ("hole", 2), ("probing-two-circles", 4)] {
@@ -400,7 +400,7 @@ fn a_round_wall_is_drawn_in_few_strokes() {
     }
 }
 
-/// A corner from outside was hatched along its walls only: what was left white between them looked like air.
+/// An outside corner was hatched only along its walls: the white area between them looked like air.
 #[test]
 fn a_corner_from_outside_is_solid_between_its_walls_and_one_from_inside_stands_on_its_floor() {
     let filled = |cycle: &str, view, at: [f64; 2]| {
@@ -435,7 +435,7 @@ fn a_corner_from_outside_is_solid_between_its_walls_and_one_from_inside_stands_o
         filled("surface", Projection::Top, [5.0, 5.0]),
         "what is looked at is material, too"
     );
-    // The walls of a corner of three went on below its floor, which looked like a shelf.
+    // The walls of a corner of three continued below its floor, which looked like a shelf.
     let (scene, path) = built(&of("triple-wall-internal-corner"), Projection::Front);
     let floor = path.frame.origin.z;
     assert!(
@@ -461,7 +461,7 @@ fn walls(scene: &Scene) -> Vec<&WallShape> {
     scene.faces(false).into_iter().filter_map(wall).collect()
 }
 
-/// Twice the sum of its triangles, halved.
+/// Area of a polygon.
 fn area(corners: &[Vec2]) -> f64 {
     let edge = |k: usize| (corners[k], corners[(k + 1) % corners.len()]);
     (0..corners.len())
@@ -511,7 +511,7 @@ fn what_stands_between_two_walls_has_a_top_and_what_lies_around_has_none() {
         "{}",
         area(&scene.tops[0].corners)
     );
-    // So it is where its walls are picked beside their middles: they meet at its corners, and the top side is no octagon.
+    // So it is if its walls are picked beside their middles: they meet at its corners, and the top side is no octagon.
     let picks = r#"{ "type": "external-rectangle", "touches": [{ "point": [40, 10, -10], "vector": [1, 0, 0] }, { "point": [-40, -10, -10], "vector": [-1, 0, 0] },
         { "point": [15, 25, -10], "vector": [0, 1, 0] }, { "point": [0, -25, -10], "vector": [0, -1, 0] }] }"#;
     let (scene, path) = built(
@@ -535,7 +535,7 @@ fn what_stands_between_two_walls_has_a_top_and_what_lies_around_has_none() {
     assert_eq!(built(&studs, Projection::Isometric).0.tops.len(), 2);
 }
 
-/// The first stud is in front of the second one, and higher: what is drawn later lies above.
+/// The first stud is in front of the second one, and higher: items drawn later are on top.
 #[test]
 fn the_top_of_what_stands_behind_is_drawn_before_what_stands_in_front() {
     for (points, nearer) in [
@@ -598,7 +598,7 @@ fn a_ball_on_its_way_is_on_its_line() {
     }
 }
 
-/// What a dimension says in an SVG: "Width 2 50" was read as 250, so its value is separate and bold.
+/// Text of a dimension in an SVG: "Width 2 50" was read as 250, so its value is separate and bold.
 fn said(label: &str, value: &str) -> String {
     format!(
         "<tspan font-weight=\"400\" fill=\"#46535f\">{label} </tspan><tspan dx=\"3\">{value}</tspan></text>"
@@ -622,7 +622,7 @@ fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// The picture that is kept is to scale: its contacts have the distances of the form, by the scale that the ball gives.
+/// The SVG is to scale: its contacts have the distances of the form, by the scale of the ball.
 #[test]
 fn an_svg_is_to_scale_and_says_its_dimensions() {
     let job = of("internal-rectangle-protected");
@@ -656,7 +656,7 @@ fn an_svg_is_to_scale_and_says_its_dimensions() {
     );
 }
 
-/// Four bores about (10, 5), 80 by 60 mm apart: their middle, the line through two of them, and their pitch circle, whose diameter is the diagonal, 100 mm.
+/// Four bores about (10, 5), 80 by 60 mm apart: their centre, the line through two of them, and their pitch circle, whose diameter is the diagonal, 100 mm.
 #[test]
 fn relations_are_drawn_where_their_places_are() {
     let at = [[-30.0, -25.0], [50.0, -25.0], [50.0, 35.0], [-30.0, 35.0]];
@@ -693,7 +693,7 @@ fn relations_are_drawn_where_their_places_are() {
     assert!((diagonal[0].length - 100.0).abs() < 1e-9);
     near(&[diagonal[0].ends], &[[spots[0], spots[2]]]);
     assert!(distances(&format!(r#"{{ "name": "MID", "type": "center", {all} }}"#)).is_empty());
-    // From the front their height is seen.
+    // From the front their height is visible.
     near(
         &seen(line, Projection::Front),
         &[[Vec2::new(-30.0, -5.0), Vec2::new(50.0, -5.0)]],
@@ -716,7 +716,7 @@ fn relations_are_drawn_where_their_places_are() {
     }
     let step = r#"{ "name": "STEP", "type": "difference", "of": ["B1.diameter", "B2.diameter"] }"#;
     assert!(seen(step, Projection::Top).is_empty());
-    // In the picture that is kept it is a thin line of long and short dashes.
+    // In the SVG it is a thin line of long and short dashes.
     let dashes = "stroke-dasharray=\"10 4 2 4\"";
     let svg = |relation| job::svg(&with_relation(relation), Projection::Top).expect("a plan");
     assert!(svg(line).contains(dashes));
@@ -824,7 +824,7 @@ fn corners_and_circles_have_their_dimensions_too() {
     );
 }
 
-/// What deviates is drawn larger, and nothing else: walls and triggers lie as many times as far from where they should be.
+/// Only deviations are magnified: walls and triggers are that many times as far from their nominal positions.
 #[test]
 fn a_magnified_part_deviates_so_many_times_as_much() {
     let mut seen = 0;
@@ -856,7 +856,7 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
         }
     }
     assert!(seen > 40, "{seen}");
-    // A pocket that lies 0.3 to the right: its walls ten times as far.
+    // A pocket that is 0.3 to the right: its walls ten times as far.
     let offset = Value::List([0.3, 0.0, 0.0].map(crate::common::number).to_vec());
     let job = with(&of("internal-rectangle-protected"), "part.offset", offset);
     let planned = job::planned(&job).expect("the job is sound");
@@ -874,7 +874,7 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
     assert!((apart - 2.7).abs() < 1e-9, "{apart}");
 }
 
-/// How often closed outlines run around a spot, counter-clockwise in pixels.
+/// Winding number of closed outlines around a position, counter-clockwise in pixels.
 fn turns(outlines: &[Vec<Vec2>], Vec2 { x, y }: Vec2) -> i32 {
     let mut sum = 0;
     for outline in outlines {
@@ -891,7 +891,7 @@ fn turns(outlines: &[Vec<Vec2>], Vec2 { x, y }: Vec2) -> i32 {
     sum
 }
 
-/// The scale lies on nothing: no ball, contact, corner of a wall, end of a move or name within its box; where every corner has something it is left out.
+/// The scale bar covers nothing: no ball, contact, corner of a wall, end of a move or name is in its box. If every corner is occupied it is omitted.
 #[test]
 fn the_scale_bar_lies_on_nothing() {
     let (mut placed, mut left_out) = (0, 0);

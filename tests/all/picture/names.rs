@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// "Depth 10" lay on the ball that it measures, "Width 30" on the one that touches the top, "Elevation 90°" on its own arc.
+/// "Depth 10" was on the ball that it measures, "Width 30" on the one that touches the top, "Elevation 90°" on its own arc.
 #[test]
 fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
     let mut seen = [0; 3];
@@ -36,7 +36,7 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
                             .touches
                             .iter()
                             .any(|touch| name.covers(camera.pixel(touch.ball), radius));
-                        // On a phone there is not always room, and a dimension that comes with the focus is near its feature.
+                        // On a phone there is not always room, and a dimension that appears with the focus is near its feature.
                         assert!(
                             !covered || !large || focus.is_some(),
                             "{}: name {k} of {} on a ball",
@@ -71,7 +71,7 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
     assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
 }
 
-/// Every cycle from every side, as it is fitted into a large picture and into one on a phone.
+/// Every cycle in every view, fitted into a large picture and into one on a phone.
 fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
     for cycle in touchpath::cycle::CYCLES {
         for view in [
@@ -92,7 +92,7 @@ fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
     }
 }
 
-/// A number that met another one was pushed to the right, again and again: in front of two circles 5 to 8 stood in a row in the air.
+/// A number that collided with another one was pushed to the right again and again: in front of two circles 5 to 8 were in a row in the air.
 #[test]
 fn each_number_stands_beside_its_contact_and_none_on_another() {
     let (mut seen, mut shared) = (0, 0);
@@ -148,7 +148,7 @@ fn each_number_stands_beside_its_contact_and_none_on_another() {
     assert!(seen > 200 && shared > 20, "{seen} {shared}");
 }
 
-/// On a phone three touches of four had no arrow head, and heads there and back lay on each other.
+/// On a phone three of four touches had no arrow head, and heads in both directions overlapped.
 #[test]
 fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
     let mut seen = [0; 2];
@@ -189,14 +189,14 @@ fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
     assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
 }
 
-/// The rapid of 1411 went through the origin's name, and discs lay on it.
+/// The rapid of 1411 crossed the origin's name, and discs covered it.
 #[test]
 fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
     let mut seen = 0;
     seen_everywhere(|said, scene, camera| {
         let layout = camera.layout(scene, None);
         let name = layout.origin(camera.pixel(scene.origin), Vec2::new(25.0, 8.0));
-        // On a phone everything may be crowded.
+        // On a phone items may be crowded.
         if camera.size[0] > 400.0 {
             assert!(layout.crowd.cost(&name) < 200.0, "{said}");
             seen += 1;
@@ -208,7 +208,7 @@ fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
     assert!(seen > 40, "{seen}");
 }
 
-/// At 30° the names stood level, off their lines.
+/// At 30° the names were horizontal, off their lines.
 #[test]
 fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
     for turn in 0..36 {
@@ -243,7 +243,7 @@ fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
     }
 }
 
-/// Seen from the side, a hole is hatched beside itself, not above its mouth or below its floor, and not within another one.
+/// From the side, a hole is hatched beside itself, not above its mouth or below its floor, and not within another one.
 #[test]
 fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
     let mut seen = 0;
@@ -325,7 +325,7 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
     assert!(seen > 20, "{seen}");
 }
 
-/// In a picture 440 pixels wide "Width 2 50" read "Width 2 5": it ended beyond the edge.
+/// In a picture 440 pixels wide "Width 2 50" read "Width 2 5": it extended beyond the edge.
 #[test]
 fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
     let (mut seen, mut cut) = (0, Vec::new());
@@ -364,7 +364,7 @@ fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
     );
 }
 
-/// On a phone the view cube covers the upper right corner of the picture, and a plate that is higher than the picture leaves room at its left.
+/// On a phone the view cube covers the upper right corner of the picture, and a tall plate leaves room at its left.
 #[test]
 fn a_scene_leaves_the_corner_of_the_view_cube_free_if_it_has_room() {
     let size = Vec2::new(390.0, 206.0);

@@ -1,8 +1,8 @@
-//! Programs that other people wrote or changed, and faults that were found in reading them.
+//! Foreign or changed programs, and faults in reading them.
 
 use super::*;
 
-/// Blanks separate words, and many of them cost no more than as many letters.
+/// Blanks separate words, and many of them cost no more time than as many letters.
 #[test]
 fn blanks_between_words_are_passed_over_once() {
     for blank in ["  ", "\t", " \t "] {
@@ -12,7 +12,7 @@ fn blanks_between_words_are_passed_over_once() {
         let imported = crate::common::import(&text).unwrap_or_else(|e| panic!("{blank:?}: {e}"));
         let moves = imported.trace.unwrap().moves;
         assert_eq!(moves[0].to, [Some(1.0), Some(2.0), Some(3.0)], "{blank:?}");
-        // Hundreds of thousands of characters in a line: nothing in the text probes, and the search for it ends.
+        // Hundreds of thousands of characters in a line without probing: the search for it ends.
         let said = said(&format!(
             "G0 X0\n{}Q1\nM2\n",
             format!("G21{blank}").repeat(150_000)
@@ -21,7 +21,7 @@ fn blanks_between_words_are_passed_over_once() {
     }
 }
 
-/// A semicolon is no comment of a Fanuc, whose screen shows one as the end of a block: what stood behind it was only another comment.
+/// A semicolon is no comment of a Fanuc, whose screen shows one as the end of a block: the text after it was read as another comment.
 #[test]
 fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
     for post in ["fanuc", "haas"] {
@@ -54,7 +54,7 @@ fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
             let found = said(&text.replacen(old.as_str(), &new, 1));
             assert_eq!(found, ["not-understood"], "{post} {new}");
         }
-        // All of them at once, each once.
+        // All of them together, each once.
         let found = said(
             &text
                 .replace(&touch, &format!("{touch};A"))
@@ -65,7 +65,7 @@ fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
             "{found:?}"
         );
     }
-    // Where it begins a comment it is one.
+    // After a comment sign it is part of a comment.
     for post in ["linuxcnc", "grbl"] {
         assert_eq!(
             said(&program(post).replacen("G21", "G21 ; mm", 1)),
@@ -75,7 +75,7 @@ fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
     }
 }
 
-/// Blanks that no control takes for one, and signs that may end its line: they stood between words and in comments unseen.
+/// Blanks that no control accepts, and characters that may end a line: they were read between words and in comments.
 #[test]
 fn what_no_control_takes_for_a_blank_was_one() {
     for post in crate::tests::controls::of_moves() {
@@ -124,7 +124,7 @@ fn what_no_control_takes_for_a_blank_was_one() {
             "{post}"
         );
     }
-    // Klartext has a reader of its own.
+    // Klartext has a separate reader.
     let own = with(
         &default_job("probing-two-circles").unwrap(),
         "control.post",
@@ -140,7 +140,7 @@ fn what_no_control_takes_for_a_blank_was_one() {
             assert_eq!(found, ["not-understood"], "{part} {blank:?}");
         }
     }
-    // With such a blank LinuxCNC's interpreter sees another comment, and does not stop.
+    // With such a blank LinuxCNC's interpreter reads another comment, and does not stop.
     let stop = "G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 X5 F100\no1 if [#5070 NE 0]\n(\u{a0}ABORT,x)\no1 endif\nG1 X9\nM2\n";
     assert!(
         interpret_until_stop("G21\n(\u{a0}ABORT,x)\nG0 X1\nM2\n")
@@ -153,7 +153,7 @@ fn what_no_control_takes_for_a_blank_was_one() {
     );
 }
 
-/// What a foreign program does that no program of ours does costs it not its job.
+/// Harmless lines that no generated program has do not invalidate the job.
 #[test]
 fn everyday_lines_of_other_hands_lose_nothing() {
     for post in ["fanuc", "haas"] {
@@ -168,7 +168,7 @@ fn everyday_lines_of_other_hands_lose_nothing() {
     }
 }
 
-/// It took the square of the number of names.
+/// It took time quadratic in the number of names.
 #[test]
 fn many_declared_names_are_read_at_once() {
     let names: String = (0..25_000).map(|i| format!("DEF INT V{i}\n")).collect();
@@ -182,7 +182,7 @@ fn many_declared_names_are_read_at_once() {
     assert_eq!(read.trace.unwrap().moves.len(), 2);
 }
 
-/// A comment stops a program where LinuxCNC's interpreter stops at it, and nowhere else.
+/// A comment stops a program exactly where LinuxCNC's interpreter stops at it.
 #[test]
 fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
     let kind = |comment: &str| {
@@ -209,7 +209,7 @@ fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
             "{comment}"
         );
     }
-    // Python is carried out behind either sign.
+    // Python is executed after either sign.
     for comment in ["(py,x=1)", ";py,x=1", "(PYRUN,x.py)", "; pyreload"] {
         let error = import(&format!("G21\n#1=1\n{comment}\nG38.2 X#1 F100\nM2\n")).unwrap_err();
         assert_eq!(
@@ -219,7 +219,7 @@ fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
     }
     let ran = interpret_until_stop("G21\n;py,raise Exception()\nM2\n").1;
     assert!(ran.is_some_and(|why| why.contains("Exception")));
-    // The same in a program whose header says its job.
+    // The same in a program with a job in its header.
     let text = program("linuxcnc").replace("(ABORT,Contact", ";ABORT,Contact");
     let found = said(&text);
     assert!(
@@ -229,7 +229,7 @@ fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
     );
 }
 
-/// Variables of a subroutine were taken for those outside: numbers up to 30, names without `_`.
+/// Variables of a subroutine were confused with those outside: numbers up to 30, names without `_`.
 #[test]
 fn a_subroutines_own_variables_are_not_those_outside() {
     let program = |before: &str, inside: &str| {
@@ -238,7 +238,7 @@ fn a_subroutines_own_variables_are_not_those_outside() {
         )
     };
     let read = |before: &str, inside: &str| import(&program(before, inside));
-    // An argument that is not given is 0 inside, whatever it is outside.
+    // An argument that is not given is 0 inside, for any value outside.
     let text = program("#2=7", "#<_n>=1");
     let ran = interpret_until_stop(&text).0;
     let moves = import(&text).unwrap().trace.unwrap().moves;
@@ -266,7 +266,7 @@ fn a_subroutines_own_variables_are_not_those_outside() {
     }
 }
 
-/// Whatever stood between the first bracket of a call and the last one of its line was nothing.
+/// Everything between the first bracket of a call and the last one of its line was ignored.
 #[test]
 fn a_call_of_a_sinumerik_ends_at_its_own_bracket() {
     let text = program("sinumerik");
@@ -304,7 +304,7 @@ fn a_call_of_a_sinumerik_ends_at_its_own_bracket() {
     assert_eq!(said(&cycle.replacen(call, &moved, 1)), ["not-understood"]);
 }
 
-/// AND binds tighter than a comparison on a Fanuc and a SINUMERIK: without brackets it combines the bits of numbers. It was taken for a condition.
+/// AND binds tighter than a comparison on a Fanuc and a SINUMERIK: without brackets it combines the bits of numbers. It was read as a condition.
 #[test]
 fn and_beside_a_comparison_needs_brackets() {
     for (condition, good) in [
@@ -332,7 +332,7 @@ fn and_beside_a_comparison_needs_brackets() {
     }
 }
 
-/// The fuzzer's: a program that writes and ends before it has results has no values to try the rest of it with.
+/// Found by the fuzzer: a program that writes and ends before it has results has no values to run the rest with.
 #[test]
 fn a_program_that_writes_before_its_results_was_a_panic() {
     for (post, writes) in [
@@ -361,7 +361,7 @@ fn a_program_that_writes_before_its_results_was_a_panic() {
     }
 }
 
-/// A thousandth of a millimetre was granted to a residual, whatever the size of the part.
+/// A residual was allowed a thousandth of a millimetre for any size of the part.
 #[test]
 fn a_residual_that_is_off_by_half_a_micrometre_is_not_proven() {
     let boss = with(
@@ -381,7 +381,7 @@ fn a_residual_that_is_off_by_half_a_micrometre_is_not_proven() {
     }
 }
 
-/// Touches hundreds of millimetres apart: the root of their scatter is held against what sums of that size leave of it.
+/// Touches hundreds of millimetres apart: the root of their scatter is compared within the rounding of sums of that size.
 #[test]
 fn a_corner_with_a_long_wall_was_not_proven() {
     let job = job(

@@ -1,4 +1,4 @@
-//! Programs that were changed, broken or made up, read back: each failure that was seen, by name.
+//! Changed, broken or invented programs, read back: each known failure by name.
 
 mod foreign;
 
@@ -60,7 +60,7 @@ fn a_tape_sign_in_the_middle_ended_the_program_unseen() {
     }
 }
 
-/// What stood behind the sign was nothing: no control takes it so.
+/// Code after the sign was ignored; no control does that.
 #[test]
 fn code_behind_a_tape_sign_was_passed_over() {
     for post in crate::tests::controls::of_moves() {
@@ -120,7 +120,7 @@ fn another_program_number_and_comments_are_no_change() {
     }
 }
 
-/// A control begins another program there.
+/// A control starts another program there.
 #[test]
 fn a_second_program_number_was_passed_over() {
     for post in ["fanuc", "haas"] {
@@ -159,7 +159,7 @@ fn a_fault_in_a_fanuc_program_was_said_to_be_another_control() {
     );
 }
 
-/// It overflowed the stack, took half a minute to look its labels up, or never came back.
+/// It overflowed the stack, took half a minute to look up its labels, or never ended.
 #[test]
 fn deep_lists_many_labels_and_endless_programs_come_back() {
     let deep = format!(
@@ -193,7 +193,7 @@ fn deep_lists_many_labels_and_endless_programs_come_back() {
     }
 }
 
-/// A comment hid a motion from the reader, not from grbl, which ends a line at a carriage return. LinuxCNC does not end one there.
+/// A comment hid a motion from the reader, but not from grbl, which ends a line at a carriage return. LinuxCNC does not.
 #[test]
 fn a_carriage_return_hid_a_motion() {
     for post in crate::tests::controls::of_moves() {
@@ -233,7 +233,7 @@ fn a_carriage_return_hid_a_motion() {
     );
 }
 
-/// Each of these took from a minute to hours: the way out of every probing move was followed for nothing, and a run of points was read anew at every point.
+/// Each of these took from a minute to hours: the exit of every probing move was followed without need, and a series of points was read again at every point.
 #[test]
 fn long_exits_and_long_numbers_come_back() {
     let exit = format!("#100=1.{}\n", "+1.".repeat(390)).repeat(190);
@@ -268,7 +268,7 @@ fn long_exits_and_long_numbers_come_back() {
     }
 }
 
-/// The approach of a program whose first place is the origin was `unchecked`.
+/// The approach of a program whose first position is the origin was `unchecked`.
 #[test]
 fn a_program_without_a_job_has_no_unchecked_move() {
     for def in touchpath::cycle::CYCLES
@@ -327,7 +327,7 @@ fn a_name_of_nothing_stays_nothing() {
     }
 }
 
-/// Good jobs that were refused as not proven, or for a rule.
+/// Good jobs that were refused as not proven or by a rule.
 #[test]
 fn good_jobs_are_proven() {
     let corner = with(
@@ -361,7 +361,7 @@ fn good_jobs_are_proven() {
     plan(&job(near)).unwrap_or_else(|e| panic!("{e}"));
 }
 
-/// Klartext: unchanged, the header's job comes back with what no block says; changed, what the blocks say counts.
+/// Klartext: unchanged, the header's job has also the values that no block states; changed, the blocks count.
 #[test]
 fn a_klartext_program_keeps_what_only_its_header_says() {
     let circles = r#"{ "format": 1, "units": "inch", "stylus": { "diameter": 0.11 }, "control": { "post": "heidenhain", "form": "cycle", "tool": 7 },
@@ -386,7 +386,7 @@ fn a_klartext_program_keeps_what_only_its_header_says() {
         ),
         (0.11, 0.4)
     );
-    // A diameter changed on the control, with its sign as Klartext has it.
+    // A diameter changed on the control, with its sign as in Klartext.
     let changed = text.replacen("Q1116=+0.8 ", "Q1116=+0.85 ", 1);
     assert_ne!(changed, *text);
     let read = import(&changed).unwrap();
@@ -418,7 +418,7 @@ fn a_klartext_program_keeps_what_only_its_header_says() {
         ),
         (0.4, 7.0)
     );
-    // Cut in its header, or without one, it is read as any other.
+    // Truncated in its header, or without one, it is read like any other.
     let bare: String = text
         .lines()
         .filter(|line| !line.contains("; job "))
@@ -461,12 +461,12 @@ fn a_klartext_program_in_other_units_converts_its_header() {
         panic!()
     };
     assert_eq!(start[2], number(3.937008));
-    // What the blocks say is in the units of the blocks.
+    // Values of the blocks are in the units of the blocks.
     assert_eq!(
         at(&read.job, "cycle.diameter1"),
         at(&own, "cycle.diameter1")
     );
-    // Blocks that say no units are in those of the header.
+    // Blocks without units are in those of the header.
     let inch = planned(&with(
         &touchpath::job::convert_units(&own, "inch").unwrap(),
         "control.form",
@@ -491,7 +491,7 @@ fn a_klartext_program_in_other_units_converts_its_header() {
     );
 }
 
-/// It was one of the blocks that are passed over, and the start of the job stayed where it was.
+/// It was one of the ignored blocks, and the start of the job stayed unchanged.
 #[test]
 fn a_motion_before_the_cycle_was_a_note() {
     let own = with(
@@ -552,7 +552,7 @@ fn a_motion_before_the_cycle_was_a_note() {
             "{block}"
         );
     }
-    // Behind the cycle it changes nothing of the job.
+    // After the cycle it does not change the job.
     let behind = text.replacen(" END PGM", " L Z+200 R0 FMAX M3\n99 END PGM", 1);
     assert!(
         !said(&behind)

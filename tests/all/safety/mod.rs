@@ -1,5 +1,4 @@
-//! The proof and the safety rules: every rule for every control and cycle, a broken program for every rule, and a program in which any digit
-//! was changed.
+//! The proof and the safety rules: every rule for every control and cycle, a broken program for every rule, and a program with any digit changed.
 
 mod proof;
 
@@ -17,7 +16,7 @@ fn text(text: &str) -> Value {
 fn job_for(cycle: &str, post: &str, form: ProgramForm, offset: bool) -> Value {
     let job = with(&default_job(cycle).unwrap(), "control.post", text(post));
     let job = with(&job, "control.form", text(form.word()));
-    // P9834 would ask for the angle of two circles when the offset is written.
+    // P9834 would check the angle of two circles after the write.
     let late = offset && form == ProgramForm::Cycle && cycle == "probing-two-circles";
     let job = if late {
         with(&job, "limits.angle", Value::Null)
@@ -44,7 +43,7 @@ fn broken(rows: &[SafetyRow]) -> Vec<&'static str> {
         .collect()
 }
 
-/// What a control cannot hold it says with its reason; everything else holds.
+/// A control gives the reason for each rule that it cannot guarantee; all other rules hold.
 #[test]
 fn every_rule_holds_for_every_control_and_cycle() {
     let (mut held, mut unable) = (0, 0);
@@ -58,14 +57,14 @@ fn every_rule_holds_for_every_control_and_cycle() {
                 let itself = form == ProgramForm::Cycle && (post.cycle_sets_preset)(def.probes);
                 let takes = post.work_offsets > 0 && !itself;
                 for offset in [false, true].into_iter().filter(|offset| !offset || takes) {
-                    // The one of its cycles that lifts between the walls of a groove writes.
+                    // The cycle that retracts between the walls of a groove writes.
                     if (post.key, def.key, offset) == ("heidenhain", "groove-protected", false) {
                         continue;
                     }
                     let plan = plan(&job_for(def.key, post.key, form, offset))
                         .unwrap_or_else(|e| panic!("{} {}: {e}", post.key, def.key));
                     let names: Vec<&str> = plan.safety.iter().map(|row| row.rule).collect();
-                    // Without a tolerance nothing can follow from one.
+                    // Without a tolerance there is no action.
                     let asked = RULES
                         .iter()
                         .map(|rule| rule.name)
@@ -174,7 +173,7 @@ fn a_rule_names_the_lines_that_it_was_asked_of() {
                     "{at}"
                 );
             }
-            // A plain way back from a touch is no positioning.
+            // A plain retract from a touch is no positioning.
             let watched = about("positioning-watched");
             let asked = plan
                 .safety
@@ -209,8 +208,8 @@ fn a_rule_names_the_lines_that_it_was_asked_of() {
     assert!(written > 60, "{written}");
 }
 
-/// The blocks that write say which axes are corrected. One that is not measured is named on LinuxCNC, and read on as it was; on a SINUMERIK it
-/// gets its share where the frame is turned.
+/// The blocks with the write show the corrected axes. An axis that is not measured is written on LinuxCNC with its current value; on a SINUMERIK it gets its
+/// share if the frame is rotated.
 #[test]
 fn what_a_program_writes_is_in_its_blocks() {
     const LETTERS: [&str; 3] = ["X", "Y", "Z"];
@@ -288,7 +287,7 @@ fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
     }
 }
 
-/// For each rule a program that breaks it: the rule, the control, what is replaced and by what.
+/// A program that breaks each rule: the rule, the control, the replaced text and its replacement.
 pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("modes-stated", "linuxcnc", "G21\n", ""),
     ("modes-stated", "linuxcnc", "G17 G8", "G18 G8"),
@@ -304,7 +303,7 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("modes-stated", "fanuc", "G54\nG53\n#100", "G55\nG53\n#100"),
     ("spindle-off", "linuxcnc", "M5 M9", "M9"),
     ("spindle-off", "haas", "M5\n", "M3\n"),
-    // Where positioning is not watched the first touch asks again.
+    // Without watched positioning the first touch has the check.
     (
         "probe-asked",
         "sinumerik",
@@ -377,7 +376,7 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
         " M78\nG103 P1\nIF [ABS[#5061-32.]+ABS[#5062]+ABS[#5063-#100-10.] GT 0.05] GOTO 9001\n",
         "\n",
     ),
-    // Behind a semicolon it is a comment and no more: a contact only ends the program.
+    // After a semicolon it is only a comment: a contact just ends the program.
     (
         "positioning-watched",
         "linuxcnc",
@@ -727,7 +726,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
     }
 }
 
-/// Lines that no program may have between its moves, whatever else is right in it.
+/// Lines that no program may have between its moves, even if everything else is correct.
 pub const DANGEROUS: &[(&str, &[&str])] = &[
     (
         "linuxcnc",
@@ -821,8 +820,7 @@ o77 endif",
     ),
 ];
 
-/// Each of them is noticed in an own program that is opened again, and refused by the proof: behind a plain move back, where nothing has
-/// halted the control.
+/// Each of them is reported in a generated program that is opened again, and refused by the proof: after a plain retract, where nothing has stopped look-ahead.
 #[test]
 fn no_dangerous_line_between_two_moves_goes_unnoticed() {
     for (post, lines) in DANGEROUS {
@@ -867,7 +865,7 @@ fn no_dangerous_line_between_two_moves_goes_unnoticed() {
     }
 }
 
-/// A variable has more than one spelling: in capitals, with blanks, with zeros in front of its number.
+/// A variable has several spellings: in capitals, with blanks, with leading zeros.
 #[test]
 fn a_result_that_is_overwritten_in_another_spelling_is_not_proven() {
     for (post, line, before) in [
@@ -915,7 +913,7 @@ fn a_result_that_is_overwritten_in_another_spelling_is_not_proven() {
     }
 }
 
-/// Without the blocks that halt a control it evaluates what the ball has not come to yet: no program without them is taken.
+/// Without the blocks that stop look-ahead, a control evaluates positions before the ball reaches them: no program without them is accepted.
 #[test]
 fn the_blocks_that_stop_reading_ahead_are_asked_for() {
     for (post, halt) in [
@@ -943,7 +941,7 @@ fn the_blocks_that_stop_reading_ahead_are_asked_for() {
         } else {
             "(NO)\n"
         };
-        // A Haas stops by itself at M78 and M79: lines after its end run only if nothing has moved.
+        // A Haas stops automatically at M78 and M79: lines after its end run only if nothing has moved.
         let end = if post == "haas" {
             plan.program.text.find("\nM30").unwrap()
         } else {
@@ -996,7 +994,7 @@ fn a_comment_holds_no_rule() {
     assert!(broken(&judged(&job, &said).unwrap()).contains(&"low-start-goes-up"));
 }
 
-/// What the user asks for is no fault, and is said.
+/// A setting of the user is no fault, and is reported.
 #[test]
 fn what_the_job_asks_for_is_said_and_not_refused() {
     let job = with(

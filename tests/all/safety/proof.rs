@@ -1,7 +1,7 @@
-//! What is proven of a program, beside its rules.
+//! Properties of a program that are proven besides its rules.
 
 use super::*;
-/// The numbers of a program, each changed by a little, one at a time: the proof sees it. Blocks after the header only.
+/// Each number of a program is changed slightly, one at a time: the proof finds it. Only blocks after the header.
 #[test]
 fn a_program_with_another_digit_is_not_proven() {
     let mut tried = 0;
@@ -56,7 +56,7 @@ fn a_program_with_another_digit_is_not_proven() {
                 text[at] = &changed;
                 let proven =
                     touchpath::job::proves(&job, &text.join("\n"), &plan.program.move_lines);
-                // A count that is wrong stops a good program, which a rule sees.
+                // A wrong count stops a good program, which a rule finds.
                 let broken = || {
                     broken(&judged(&job, &text.join("\n")).unwrap())
                         .contains(&"plausible-before-write")
@@ -93,7 +93,7 @@ fn other_digits(line: &str, decimals_seen: usize) -> Vec<String> {
             before,
             'X' | 'Y' | 'Z' | 'F' | '+' | '-' | '*' | '/' | '[' | '('
         );
-        // Beyond that a change is less than what rounded constants do: those of a Fanuc have eight digits.
+        // Beyond that a change is smaller than the rounding of constants: those of a Fanuc have eight digits.
         let decimals = code[..at].rsplit('.').next().map_or(0, str::len);
         let fine = code[..at].contains('.')
             && decimals > decimals_seen

@@ -1,4 +1,4 @@
-//! Cycles whose place follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
+//! Cycles whose position follows a result of an earlier one, against LinuxCNC's interpreter, the simulated controls and hand calculations.
 
 use super::cycle;
 use crate::common::fanuc::Control;
@@ -13,7 +13,7 @@ use touchpath::control::find;
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
-/// A top, a bore that hangs on it, and a stud 60 mm beside the bore, 2 mm below the top.
+/// A top, a bore whose depth follows it, and a stud 60 mm from the bore, 2 mm below the top.
 pub const STEPS: &str = r#"{ "format": 2, "name": "STEPS", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" }, "limits": { "position": 1 },
   "cycles": [
     { "name": "TOP", "type": "surface", "origin": [-35, 0, 0] },
@@ -26,7 +26,7 @@ fn on(post: &str) -> Value {
     with(&job(STEPS), "control.post", Value::Text(post.to_owned()))
 }
 
-/// The part lies by this elsewhere.
+/// The part, displaced by this.
 fn at(job: &Value, offset: [f64; 3]) -> Value {
     with(
         job,
@@ -39,7 +39,7 @@ pub fn near(a: f64, b: f64, within: f64, what: &str) {
     assert!((a - b).abs() <= within, "{what}: {a} and {b}");
 }
 
-/// The results that a plan shows, by the names that programs print.
+/// Results of a plan, by the names that programs print.
 pub fn shown(plan: &Plan) -> Vec<(String, f64)> {
     let rows = plan
         .results
@@ -50,10 +50,10 @@ pub fn shown(plan: &Plan) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// How far each cycle is shifted on the part of [`STEPS`], by hand.
+/// Shift of each cycle on the part of [`STEPS`], by hand.
 const BY_HAND: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, 0.3], [0.2, 0.0, 0.3]];
 
-/// LinuxCNC's interpreter moves each cycle by what was measured before it, and prints what the plan shows.
+/// LinuxCNC's interpreter shifts each cycle by the earlier results, and prints the results of the plan.
 #[test]
 fn the_interpreter_goes_where_the_results_say() {
     let plan = planned(&job(STEPS));
@@ -63,7 +63,7 @@ fn the_interpreter_goes_where_the_results_say() {
         assert_eq!(*code, name);
         near(*printed, value, 3e-6, code);
     }
-    // Every place that a move of a cycle names is the nominal one, shifted.
+    // Every position in a move of a cycle is the nominal one, shifted.
     let mut compared = [0; 3];
     for step in plan
         .moves
@@ -83,7 +83,7 @@ fn the_interpreter_goes_where_the_results_say() {
         compared[step.cycle] += 1;
     }
     assert!(compared.iter().all(|count| *count > 1), "{compared:?}");
-    // Between them the height follows nothing.
+    // The clearance plane between them follows nothing.
     let across: Vec<f64> = plan
         .moves
         .iter()
@@ -98,7 +98,7 @@ fn the_interpreter_goes_where_the_results_say() {
     );
 }
 
-/// A top that is found 1.1 mm too high: nothing of the bore is touched, nothing is written.
+/// A top that is found 1.1 mm too high: the bore is not touched, and nothing is written.
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
     let high = at(&job(STEPS), [0.0, 0.0, 1.1]);
@@ -121,7 +121,7 @@ fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
             ["BORE", "TOP.point.z"],
             "{post}: before the cycle, by the result"
         );
-        // What was measured before is shown: it is why the program stops.
+        // Earlier results are shown: they are the reason for the stop.
         assert!(
             plan.results
                 .iter()
@@ -156,12 +156,12 @@ fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
             "nothing goes to the bore: {gone:?}"
         );
     }
-    // A little within it all is measured.
+    // Slightly within the limit everything is measured.
     let within = planned(&at(&job(STEPS), [0.0, 0.0, 0.99]));
     assert!(within.triggers.iter().all(Option::is_some));
 }
 
-/// The tests' SINUMERIK, Fanuc and Haas run a set-up: their results are those that the plan shows.
+/// The simulated SINUMERIK, Fanuc and Haas run a set-up: their results equal those of the plan.
 pub fn the_machines_measure_what_is_shown(text: &str) {
     let on = |post: &str| {
         planned(&with(
@@ -199,7 +199,7 @@ pub fn the_machines_measure_what_is_shown(text: &str) {
         control.run(&plan.program.text).unwrap();
         assert_eq!(control.alarm, None, "{post}");
         for (name, value) in shown(&plan) {
-            // The header says where each is kept.
+            // The header states the variable of each.
             let said = format!(" = {}", name.to_uppercase());
             let ends =
                 |rest: &str| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '.');
@@ -225,7 +225,7 @@ pub fn the_machines_measure_what_is_shown(text: &str) {
     }
 }
 
-/// The control stops by this result, having written nothing; gives where LinuxCNC's interpreter has gone.
+/// The control stops at this result without a write; returns the path in LinuxCNC's interpreter.
 pub fn stops_by(plan: &Plan, post: &str, result: &str) -> Vec<[f64; 3]> {
     match post {
         "linuxcnc" => {
@@ -249,7 +249,7 @@ pub fn stops_by(plan: &Plan, post: &str, result: &str) -> Vec<[f64; 3]> {
             let mut control = Control::new(post == "haas", false);
             control.contacts = plan.triggers.iter().flatten().copied().collect();
             control.run(&plan.program.text).unwrap();
-            // An alarm has little room: of a long name the end may be all.
+            // An alarm has little room: a long name may be reduced to its end.
             let (_, code) = result.split_once('.').unwrap();
             let alarm = control
                 .alarm
@@ -262,13 +262,13 @@ pub fn stops_by(plan: &Plan, post: &str, result: &str) -> Vec<[f64; 3]> {
     Vec::new()
 }
 
-/// Each touch is met where the virtual part says, from the shifted places.
+/// Each touch has its contact where the virtual part predicts, from the shifted positions.
 #[test]
 fn the_other_controls_measure_what_the_plan_shows() {
     the_machines_measure_what_is_shown(STEPS);
 }
 
-/// The text of a place comes back from every header, and through other units.
+/// The text of a position is read back from every header, and converted to other units.
 #[test]
 fn places_that_follow_come_back_from_headers_and_units() {
     for post in computing() {
@@ -343,12 +343,12 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
             errors(&job(&text(given)))
         );
     }
-    // The first cycle has none before it; a job of one cycle has none at all.
+    // The first cycle follows none; neither does a job with one cycle.
     let first = STEPS.replace("[-35, 0, 0]", "[-35, 0, \"=BORE.z\"]");
     assert!(errors(&job(&first)).contains(&"place-of-result cycles[0].origin[2]".to_owned()));
     let alone = job(r#"{ "format": 1, "cycle": { "type": "hole", "origin": [0, 0, "=TOP.z"] } }"#);
     assert_eq!(errors(&alone), ["wrong-type cycle.origin[2]"]);
-    // Without a limit nobody says how far it may go.
+    // Without a limit the shift is unbounded.
     let limitless = with(&job(STEPS), "limits.position", Value::Null);
     assert!(
         errors(&limitless)
@@ -372,10 +372,10 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
         "{:?}",
         errors(&own)
     );
-    // A way between that a shift could make shorter than nothing.
+    // A link move that a shift could make shorter than zero.
     let low = with(&job(STEPS), "clear", Value::Number(30.5));
     assert_eq!(errors(&low), ["clear-too-low clear"]);
-    // Across farther than nothing, and not as far as the limits and the shortest probe move: with a limit that is as large as the way is short.
+    // A move across that is longer than zero, but shorter than the limits and the shortest probe move: with a limit as large as the move is short.
     let beside = |limit: f64, protection: &str| {
         format!(
             r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "protection": "{protection}" }}, "limits": {{ "position": {limit} }},
@@ -391,7 +391,7 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
         "nothing is to be watched"
     );
     assert!(errors(&job(&beside(14.0, "checked"))).is_empty());
-    // As high as the cycle begins there is no way across that follows no height.
+    // At the height at which the cycle begins there is no move across that follows no height.
     let level = r#"{ "format": 2, "overtravel": 10, "control": { "post": "linuxcnc", "protection": "none" }, "clear": 30, "limits": { "position": 9 },
         "cycles": [{ "name": "TOP", "type": "surface", "origin": [-60, 0, 0], "clearance": 13, "feedDistance": 17 },
                    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [20, 0, "=TOP.z"] }] }"#;
@@ -405,7 +405,7 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
     }
 }
 
-/// Across at the height between the cycles, which follows nothing; then down, to a place that does.
+/// Across at the clearance plane, which follows nothing; then down, to a position that does.
 #[test]
 fn no_way_goes_across_and_down_at_once() {
     for post in computing() {
@@ -420,7 +420,7 @@ fn no_way_goes_across_and_down_at_once() {
             from = step.to;
         }
     }
-    // A bore in a bore: the way across is nothing but what the first one finds. It stays level, and nothing watches what may be shorter than a probe move.
+    // A bore in a bore: the move across is only the shift of the first result. It stays level, and is not watched, because it may be shorter than a probe move.
     let counterbore = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 0.5 }, "part": { "offset": [0.4, -0.3, 0] },
         "cycles": [{ "name": "A", "type": "hole", "diameter": 40 }, { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.center.x", "=A.center.y", -10] }] }"#;
     for post in computing() {
@@ -457,7 +457,7 @@ fn no_way_goes_across_and_down_at_once() {
     near(printed("B.diameter"), 20.0, 1e-5, "B");
 }
 
-/// Chains of holes, each beside the one before it, at limits from far below what touches scatter to millimetres: every one is proven.
+/// Chains of holes, each beside the one before it, with limits from far below the scatter of touches to millimetres: every one is proven.
 #[test]
 fn chains_are_proven_at_any_limit() {
     for (post, count, limits) in [
@@ -490,7 +490,7 @@ fn chains_are_proven_at_any_limit() {
     }
 }
 
-/// In a chain, too, a question that asks one side only is found.
+/// In a chain, too, a check of only one side is found.
 #[test]
 fn a_chain_whose_first_question_is_one_sided_breaks_the_rule() {
     let text = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 1 },
@@ -513,7 +513,7 @@ fn a_chain_whose_first_question_is_one_sided_breaks_the_rule() {
     }
 }
 
-/// What happens to a cycle that is shifted is said of where it is: shank, starts of touches, measured points.
+/// Checks of a shifted cycle are at its shifted position: shank, starts of touches, measured points.
 #[test]
 fn a_shifted_cycle_is_judged_where_it_is() {
     let deep = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 1 }, "stylus": { "diameter": 6, "length": 10.5, "shank": 4, "body": 40 },
@@ -585,7 +585,7 @@ fn a_shifted_cycle_is_judged_where_it_is() {
     );
 }
 
-/// Two to five cycles, each of which follows any that came before it, on parts that lie anywhere within the limit.
+/// Two to five cycles, each following any earlier one, on parts anywhere within the limit.
 #[test]
 fn random_chains_measure_their_part_wherever_it_lies() {
     let mut draws = Draws(77);
@@ -653,7 +653,7 @@ fn random_chains_measure_their_part_wherever_it_lies() {
     assert!(followed > 20, "{followed}");
 }
 
-/// A web that is turned by a millionth of a degree says nothing of its place along its walls, and what follows that is never off.
+/// A web that is rotated by a millionth of a degree has no position along its walls, and a value that follows it never deviates.
 #[test]
 fn a_coordinate_that_nothing_changes_stops_nothing() {
     let text = r#"{ "format": 2, "control": { "post": "linuxcnc", "workOffset": 1 }, "limits": { "position": 0.05 },
@@ -667,7 +667,7 @@ fn a_coordinate_that_nothing_changes_stops_nothing() {
     );
 }
 
-/// Touches a micrometre apart are written in one place: read back as anyone's program, each is still met where it is, and what follows has a value.
+/// Touches a micrometre apart are written at one position: read back as a foreign program, each still has its contact, and what follows has a value.
 #[test]
 fn touches_in_one_place_are_told_apart_by_their_order() {
     let text = r#"{ "format": 2, "plane": "G18", "control": { "post": "sinumerik", "protection": "none", "workOffset": 1 }, "limits": { "position": 0.05 },

@@ -6,8 +6,8 @@ use crate::tests::controls::{calling, computing};
 use touchpath::form::{Level, Value};
 use touchpath::job::{check, convert_units, evaluate};
 
-/// Two holes, and a slot 40 mm beside the middle between them, square to the line through both. The surface comes between the operands of the relations and
-/// the cycle that follows them; the last relation is of one that is computed early and of the last cycle.
+/// Two holes, and a slot 40 mm from the midpoint between them, square to the line through both. The surface is between the operands of the relations and the
+/// cycle that follows them; the last relation uses one that is computed early and the last cycle.
 pub const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
   "limits": { "position": 3, "angle": 1.5 },
   "cycles": [
@@ -25,7 +25,7 @@ pub const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": 
   "datum": { "x": "MID.center.x", "y": "MID.center.y", "z": "TOP.point.z", "rotation": "ROW.rotation" },
   "part": { "offset": [0.2, 0.1, 0.3], "rotation": 0.7 } }"#;
 
-/// Four holes on a circle, and a stud in their middle that is smaller than the circle by 60 mm; its height is the mean of two places of the top.
+/// Four holes on a circle, and a stud at their centre that is smaller than the circle by 60 mm; its height is the mean of two positions of the top.
 const RING: &str = r#"{ "format": 2, "name": "RING", "control": { "post": "linuxcnc", "workOffset": null, "report": "screen" },
   "limits": { "position": 2, "size": 2 },
   "cycles": [
@@ -47,7 +47,7 @@ fn on(text: &str, post: &str) -> Value {
     with(&job(text), "control.post", Value::Text(post.to_owned()))
 }
 
-/// What the interpreter prints is what the plan shows; gives one of them.
+/// The interpreter prints the results of the plan; returns one of them.
 fn printed(text: &str) -> impl Fn(&str) -> f64 + use<> {
     let plan = planned(&job(text));
     let rule = plan
@@ -70,7 +70,7 @@ fn printed(text: &str) -> impl Fn(&str) -> f64 + use<> {
     printed
 }
 
-/// The slot lies 40 mm beside the middle of the holes *on the turned part*: the part is turned about the origin and shifted then.
+/// The slot is 40 mm from the midpoint of the holes *on the rotated part*: the part is rotated about the origin, then shifted.
 #[test]
 fn the_interpreter_turns_a_slot_with_the_line_through_two_holes() {
     let printed = printed(PLATE);
@@ -98,7 +98,7 @@ fn the_interpreter_turns_a_slot_with_the_line_through_two_holes() {
     );
     let plan = planned(&job(PLATE));
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
-    // The middle of the holes is where the slot's moves are turned about, by as much as the line is.
+    // The slot's moves are rotated about the midpoint of the holes, by the rotation of the line.
     let [mx, my] = by_hand(0.0, 10.0);
     let own = plan
         .moves
@@ -151,7 +151,7 @@ fn the_interpreter_touches_a_stud_in_the_middle_of_a_ring_of_holes() {
     );
 }
 
-/// The mean of two heights is written as Z: the place between them reads its nominal height afterwards.
+/// The mean of two heights is written as Z: afterwards the position between them reads its nominal height.
 #[test]
 fn a_mean_of_heights_is_written_as_z() {
     let text = RING.replace("\"workOffset\": null", "\"workOffset\": 1");
@@ -182,7 +182,7 @@ fn a_mean_of_heights_is_written_as_z() {
 #[test]
 fn the_other_controls_compute_a_relation_before_what_follows_it() {
     the_machines_measure_what_is_shown(PLATE);
-    // A Fanuc's variables are soon used up: one hole and one surface less.
+    // A Fanuc has few variables: one hole and one surface less.
     let fewer = RING
         .replace(r#", "H3", "H4"]"#, r#", "H3"]"#)
         .replace("=FACE.z", "=A.z");
@@ -220,7 +220,7 @@ fn beyond_the_limit_every_control_stops_before_the_cycle() {
     }
 }
 
-/// Headers and units keep what is followed; the points of a part give its rows, whatever the order in which the program computes.
+/// Headers and units keep the followed results; the points of a part give its rows, in any order in which the program computes.
 #[test]
 fn what_follows_a_relation_comes_back() {
     for post in computing() {
@@ -275,7 +275,7 @@ fn what_follows_a_relation_comes_back() {
             }
         }
     }
-    // What a relation truly is, and with which scatter, does not depend on when it is computed either.
+    // The true value of a relation and its uncertainty do not depend on when it is computed.
     let late = PLATE
         .replace("=MID.x", "0")
         .replace("\"=MID.y+40\"", "50")
@@ -330,7 +330,7 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
         rotation,
         &["ROW.distance", "ROW.rotation"],
     );
-    // POST is measured later, and LEFT, RIGHT and MID would do.
+    // POST is measured later; LEFT, RIGHT and MID would be valid.
     one(
         &turned("=OFF.rotation"),
         rotation,
@@ -351,7 +351,7 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
         "cycles[3].origin[0]",
         &["ROW.x", "MID.center.x"],
     );
-    // A relation with an error says so where it is followed, and at its own place.
+    // A relation with an error is reported where it is followed, and at its own path.
     let both = |text: &str, path: &str, own: &str| {
         let found: Vec<String> = errors(text).into_iter().map(|(of, _)| of).collect();
         assert_eq!(found, [format!("place-of-result {path}"), own.to_owned()]);
@@ -400,8 +400,8 @@ fn of_own_cycles(post: &str, more: &str) -> Value {
     job(&text)
 }
 
-/// Native cycles keep their results, and these programs do not compute with them. The relations follow from the values of the variables, typed
-/// as the control shows them: by hand 120.05 mm and -0.2 mm apart, atan2(0.6, 120.05) = 0.28636°.
+/// Native cycles store their results, and these programs do not compute with them. The relations follow from the values of the variables, typed as the control
+/// displays them: by hand 120.05 mm and -0.2 mm apart, atan2(0.6, 120.05) = 0.28636°.
 #[test]
 fn relations_follow_from_what_own_cycles_keep() {
     for post in calling() {
@@ -491,7 +491,7 @@ fn relations_follow_from_what_own_cycles_keep() {
             "{post}: {:?}",
             measured.findings
         );
-        // One that was not typed is unknown, and what comes from it; nothing is guessed.
+        // A value that was not typed is unknown, and so are its consequences; nothing is guessed.
         let fewer = of(&said[1..]);
         let row = |code: &str| {
             fewer
@@ -519,7 +519,7 @@ fn relations_follow_from_what_own_cycles_keep() {
     }
 }
 
-/// A comment stays one, whatever it speaks of; of a set-up of one cycle the variables count as well, and a residual is computed with the rest.
+/// A comment stays one for any content; in a set-up with one cycle the variables count as well, and a residual is computed with the rest.
 #[test]
 fn what_a_text_of_variables_says_and_what_it_does_not() {
     let moves = job(
@@ -568,7 +568,7 @@ fn what_a_text_of_variables_says_and_what_it_does_not() {
         near(value("difference"), 0.9, 1e-12, post);
         near(value("mean"), 0.05, 1e-12, post);
     }
-    // Three holes lie on their circle; the fourth of four, 0.4 mm farther out along X, leaves the circle of least squares by 0.1 mm, and so do the others.
+    // Three holes are on their circle; the fourth of four, 0.4 mm farther out along X, deviates from the least-squares circle by 0.1 mm, and so do the others.
     let ring = RING
         .replace(
             "\"post\": \"linuxcnc\"",
@@ -604,7 +604,7 @@ fn what_a_text_of_variables_says_and_what_it_does_not() {
         .find(|row| row.code == "residual" && row.cycle > 6)
         .unwrap();
     near(residual.value.unwrap(), 0.1, 1e-3, "each is 0.1 off");
-    // What such a control keeps nowhere, as the abscissa of a surface, is not missed.
+    // A value that such a control does not store, like the abscissa of a surface, is not required.
     assert!(
         found.findings.iter().all(|f| f.code != "result-missing"),
         "{:?}",
@@ -612,7 +612,7 @@ fn what_a_text_of_variables_says_and_what_it_does_not() {
     );
 }
 
-/// Relations of relations, each of the two before it: as quick as one.
+/// Relations of relations, each of the two before it: as fast as one.
 #[test]
 fn deep_relations_are_added_once() {
     let relation = |n: usize| match n {
@@ -633,14 +633,14 @@ fn deep_relations_are_added_once() {
         relations.join(", ")
     );
     let plan = planned(&job(&text));
-    // A = -60, B = 60: R0 = 0, R1 = -30, and the mean of two before it comes to (R0 + 2 R1) / 3.
+    // A = -60, B = 60: R0 = 0, R1 = -30, and the mean of two before it converges to (R0 + 2 R1) / 3.
     let last = plan
         .results
         .iter()
         .find(|row| row.cycle == 3 + 98 && row.code == "center.x")
         .unwrap();
     near(last.value.unwrap(), -20.0, 1e-9, "where such a row ends");
-    // The cycle goes by it, and within its limit.
+    // The cycle follows it, within its limit.
     assert!(
         plan.program.text.contains("X[-20+#<c_shift_x>]"),
         "{}",
@@ -659,7 +659,7 @@ fn deep_relations_are_added_once() {
     near(printed("C.center.x"), -19.6, 2e-6, "so is the hole");
 }
 
-/// A TNC shows its parameters with a decimal comma, unless it is set otherwise.
+/// A TNC shows its parameters with a decimal comma by default.
 #[test]
 fn values_are_read_with_a_decimal_comma() {
     let job = of_own_cycles("heidenhain", "");
@@ -692,7 +692,7 @@ fn values_are_read_with_a_decimal_comma() {
     }
 }
 
-/// Such a program cannot act on a relation: nothing is written from it, nothing stops by it, no tool is corrected by it.
+/// Such a program cannot act on a relation: it writes nothing from it, stops nothing, and corrects no tool.
 #[test]
 fn own_cycles_do_nothing_by_a_relation() {
     let errors = |post: &str, more: &str| {
@@ -750,8 +750,8 @@ fn own_cycles_do_nothing_by_a_relation() {
     }
 }
 
-/// A line of 330 mm from a hole to an acute corner, which what follows it may leave by 2 degrees: the corner moves by 11 mm then, and its walls turn. The proof
-/// finds where the touches lie for that, and the program stops.
+/// A line of 330 mm from a hole to an acute corner, with a limit of 2 degrees for its follower: the corner moves by 11 mm then, and its walls rotate. The proof
+/// finds the positions of the touches, and the program stops.
 #[test]
 fn a_long_line_from_an_acute_corner_is_followed() {
     for (post, corner) in [

@@ -1,4 +1,4 @@
-//! Jobs of several cycles: one program, safe ways between, one write at the end.
+//! Jobs with several cycles: one program, safe link moves, one write at the end.
 
 mod examples;
 pub mod follows;
@@ -15,7 +15,7 @@ use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Move, Plan, default_job, evaluate};
 
-/// A vise: its top, a bore, and a corner whose direction turns the work offset.
+/// A vise: its top, a bore, and a corner whose direction rotates the work offset.
 pub const VISE: &str = r#"{ "format": 2, "name": "VISE", "control": { "post": "linuxcnc", "workOffset": 1 },
   "cycles": [
     { "name": "TOP", "type": "surface", "origin": [-30, 0, 0] },
@@ -75,7 +75,7 @@ fn set_up(post: &str, keys: &[&str]) -> Value {
     )
 }
 
-/// One of its cycles as a job of its own.
+/// One of its cycles as a job with one cycle.
 fn alone(post: &str, key: &str, along: f64) -> Value {
     let job = job(&format!(
         r#"{{ "format": 1, "control": {{ "post": "{post}" }} }}"#
@@ -88,7 +88,7 @@ fn alone(post: &str, key: &str, along: f64) -> Value {
     }
 }
 
-/// Each cycle is next to another, on every control: its moves, its touches and its results are the same as in a job of its own.
+/// Each cycle next to another, on every control: its moves, touches and results are the same as in a job with one cycle.
 #[test]
 fn a_cycle_in_a_set_up_is_the_cycle_alone() {
     let keys = measuring();
@@ -105,7 +105,7 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
                     .iter()
                     .filter(|m| m.cycle == cycle && m.step > 0)
                     .collect();
-                // The second cycle of a pair is come to from above: its first move is the way down.
+                // The second cycle of a pair is approached from above: its first move is the move down.
                 assert_eq!(moves.len(), own.moves.len(), "{post} {pair:?} {cycle}");
                 for (a, b) in moves.iter().zip(&own.moves) {
                     assert_eq!(
@@ -152,7 +152,7 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
                         .collect()
                 };
                 assert_eq!(table(&plan, cycle), table(&own, 0));
-                // What no program of it can hold, and what it asks for, is the same.
+                // Rules that its program cannot guarantee, and required inputs, are the same.
                 for (a, b) in plan.safety.iter().zip(&own.safety) {
                     assert_eq!(
                         (a.rule, a.holds),
@@ -175,7 +175,7 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
     assert_eq!(seen, 2 * of_moves().len() * keys.len());
 }
 
-/// Between two cycles the ball goes up, across and down, and across no lower than any cycle begins or ends.
+/// Between two cycles the ball moves up, across and down, and across no lower than any cycle begins or ends.
 fn the_ways_between_are_clear(plan: &Plan, said: &str) {
     let ends = |cycle: usize| {
         let own: Vec<_> = plan
@@ -206,7 +206,7 @@ fn the_ways_between_are_clear(plan: &Plan, said: &str) {
     }
 }
 
-/// The program with its touches ending where the virtual part triggers them, as LinuxCNC's interpreter needs it.
+/// The program with touches that end at the triggers of the virtual part, as LinuxCNC's interpreter needs it.
 fn on_the_part(plan: &Plan) -> String {
     let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
     for (index, step) in plan
@@ -225,8 +225,8 @@ fn on_the_part(plan: &Plan) -> String {
     lines.join("\n") + "\n"
 }
 
-/// LinuxCNC's interpreter on a part that is displaced and turned: it prints what the plan shows, and in the work offset that it writes every feature of
-/// the part is at its nominal place.
+/// LinuxCNC's interpreter on a displaced and rotated part: it prints the results of the plan, and in the work offset that it writes every feature of the part
+/// is at its nominal position.
 fn probing_again_reads_nominal(job: &Value, said: &str) {
     let plan = planned(job);
     let ran = interpret(&on_the_part(&plan)).unwrap_or_else(|e| panic!("{said}: {e}"));
@@ -252,7 +252,7 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
         );
     }
     let written = |code: &str| plan.results.iter().any(|row| row.code == code);
-    // A rotation is written first, and with it the offset as it was.
+    // A rotation is written first, with the unchanged offset.
     let (number, _) = ran.written.expect("it writes");
     let origin = ran.offsets_after_moves[usize::from(written("offset.rotation"))];
     assert_eq!(
@@ -267,7 +267,7 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
     };
     let (sin, cos) = turn.to_radians().sin_cos();
     assert_eq!(turn != 0.0, written("offset.rotation"), "{said}");
-    // How far the origin moves: it was 0 before.
+    // Shift of the origin: it was 0 before.
     for (axis, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
         let Some(row) = plan.results.iter().find(|row| row.code == code) else {
             continue;
@@ -285,7 +285,7 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
             row.truth
         );
     }
-    // A place of the machine in the new system: G54 was 0 before.
+    // A machine position in the new system: G54 was 0 before.
     let reads = |p: [f64; 2]| {
         let [x, y] = [p[0] - origin[0], p[1] - origin[1]];
         [x * cos + y * sin, y * cos - x * sin]
@@ -305,7 +305,7 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
                 continue;
             };
             let [ax, ay] = reads([tx, ty]);
-            // The interpreter says the rotation with four decimals.
+            // The interpreter prints the rotation with four decimals.
             let near = 2e-4 + 1e-6 * nx.hypot(ny);
             assert!(
                 (ax - nx).abs() < near && (ay - ny).abs() < near,
@@ -337,7 +337,7 @@ fn after_the_write_the_vise_is_where_the_drawing_says() {
     let plan = planned(&vise);
     assert_eq!(plan.program.writes, ["X", "Y", "Z", "rotation"]);
     probing_again_reads_nominal(&vise, "vise");
-    // By hand: the bore of the drawing is at the origin, so that the part's shift is where it is found.
+    // By hand: the bore of the drawing is at the origin, so it is found at the part's shift.
     let offset = |code: &str| {
         plan.results
             .iter()
@@ -359,7 +359,7 @@ fn after_the_write_the_vise_is_where_the_drawing_says() {
     }
 }
 
-/// Two to six cycles in any order, on a part that lies anywhere a little off.
+/// Two to six cycles in any order, on a slightly displaced part.
 #[test]
 fn random_set_ups_are_written_where_their_part_is() {
     let found = [
@@ -376,7 +376,7 @@ fn random_set_ups_are_written_where_their_part_is() {
         let count = 2 + draws.below(5);
         let cycles: Vec<Value> = (0..count)
             .map(|i| {
-                // A point in the plane to write from, and a direction to turn by.
+                // A point in the plane for the write, and a direction for the rotation.
                 let key = match i {
                     0 => found[draws.below(3)],
                     1 => found[3 + draws.below(2)],
@@ -434,7 +434,7 @@ fn random_set_ups_are_written_where_their_part_is() {
     assert!(turned > 5 && together > 60, "{turned} {together}");
 }
 
-/// A Fanuc's work offset has no rotation: its program says the block that turns the system, about the place that it has written.
+/// A Fanuc's work offset has no rotation: its program states the block that rotates the system, about the written position.
 #[test]
 fn a_control_without_a_rotation_says_the_block_for_it() {
     let text = VISE.replace("linuxcnc", "fanuc").replace(
@@ -451,7 +451,7 @@ fn a_control_without_a_rotation_says_the_block_for_it() {
         .expect("a block");
     let register = block.rsplit('R').next().unwrap().trim_end_matches(')');
     assert!(block.contains("G68 X12. Y-7. R#1"), "{block}");
-    // The last that is computed into it is the turn.
+    // The last value computed for it is the rotation.
     let last = plan
         .program
         .text
@@ -466,8 +466,8 @@ fn a_control_without_a_rotation_says_the_block_for_it() {
     );
 }
 
-/// The block run behind its program: in the system that was written and turned, each feature of the drawing is where the part has it. By hand: the part is
-/// shifted by 0.3 and -0.2 and turned by 0.4° about the old origin.
+/// The stated block is run after its program: in the written and rotated system each feature of the drawing is at its position on the part. By hand: the part
+/// is shifted by 0.3 and -0.2 and rotated by 0.4° about the old origin.
 #[test]
 fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
     for post in skipping() {
@@ -521,7 +521,7 @@ fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
     }
 }
 
-/// By hand: two touches 60 apart on a part that is turned by half a degree; and what scatters by 1 µm a touch is √2 µm over 60 mm.
+/// By hand: two touches 60 apart on a part that is rotated by half a degree; a scatter of 1 µm per touch is √2 µm over 60 mm.
 #[test]
 fn the_angle_of_a_wall_turns_the_work_offset() {
     let text = r#"{ "format": 1, "control": { "post": "linuxcnc", "workOffset": 3 }, "cycle": { "type": "wall-angle", "origin": [5, 9, -4], "rotation": 90, "distance": 60 },
@@ -551,7 +551,7 @@ fn the_angle_of_a_wall_turns_the_work_offset() {
     );
 }
 
-/// The header says the whole set-up: a program comes back as its job, on every control.
+/// The header contains the whole set-up: a program is read back as its job, on every control.
 #[test]
 fn a_program_is_its_set_up_again() {
     let keys = [
@@ -583,7 +583,7 @@ fn a_program_is_its_set_up_again() {
                 .map(|c| matches!(c, Value::List(l) if l.len() == 4)),
             Some(true)
         );
-        // A changed digit is found in whatever cycle it is.
+        // A changed digit is found in any cycle.
         let changed = plan.program.text.replacen("60.5", "59.5", 2);
         assert_ne!(changed, plan.program.text, "{post}");
         let read = import(&changed).unwrap_or_else(|e| panic!("{post}: {:#?}", e.findings));
@@ -596,7 +596,7 @@ fn a_program_is_its_set_up_again() {
     }
 }
 
-/// What a machine prints of a set-up gives its results, and so do its points.
+/// The print-out of a set-up gives its results, and so do its points.
 #[test]
 fn a_set_up_is_evaluated_from_points_and_from_what_it_prints() {
     let vise = job(VISE);
@@ -637,7 +637,7 @@ fn a_set_up_is_evaluated_from_points_and_from_what_it_prints() {
     assert!((turn - 0.4).abs() < 1e-5, "{turn}");
 }
 
-/// Converted to inch and back, a set-up is the same, and its sizes and its height with it.
+/// Converted to inch and back, a set-up is the same, with its sizes and its height.
 #[test]
 fn a_set_up_in_inch_is_the_same() {
     let vise = with(&job(VISE), "clear", Value::Number(50.8));
@@ -662,7 +662,7 @@ fn a_set_up_in_inch_is_the_same() {
     assert!((diameter.value.unwrap() - 25.254).abs() < 1e-5);
 }
 
-/// The same of native cycles: the path of each is that which it has alone, and what the next one empties is kept.
+/// The same for native cycles: the path of each equals that of a job with one cycle, and results that the next one clears are saved.
 #[test]
 fn cycles_of_the_controls_own_stand_in_one_program() {
     let own = |job: &Value| {
@@ -684,7 +684,7 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
             let pair = [*first, keys[(i + 1) % keys.len()]];
             let plan = planned(&own(&set_up(post, &pair)));
             assert!(plan.program.own, "{post} {pair:?}");
-            // The judges of the others are of their programs of moves.
+            // The judges of the others are for programs of moves.
             if !of_moves().contains(&post) {
                 crate::common::owed::judge(post).unwrap()(&plan)
                     .unwrap_or_else(|why| panic!("{post} {pair:?}: {why}"));
@@ -693,7 +693,7 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
             for (cycle, key) in pair.into_iter().enumerate() {
                 let single = planned(&own(&alone(post, key, 300.0 * cycle as f64)));
                 let moves = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0);
-                // A TNC's cycle lifts as high as the way to the next one: its touches are the same.
+                // A TNC's cycle retracts to the height of the next link move: its touches are the same.
                 let lifts = find(post)
                     .unwrap()
                     .own
@@ -731,7 +731,7 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
                 );
                 seen += 1;
             }
-            // No result lies where another one does.
+            // No two results are at one position.
             let mut apart = places.clone();
             apart.sort_unstable();
             apart.dedup();
@@ -742,7 +742,7 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
     assert!(seen > 120, "{seen}");
 }
 
-/// They write as soon as they have measured: the last one may, an earlier one is refused with the reason.
+/// They write right after measuring: the last one may, an earlier one is refused with the reason.
 #[test]
 fn of_the_controls_own_cycles_the_last_one_writes() {
     let text = |datum: &str| {
@@ -813,8 +813,8 @@ fn of_the_controls_own_cycles_the_last_one_writes() {
     );
 }
 
-/// By hand: a part that is shifted by 0.3 and -0.2 and turned by 0.4° about its origin moves the origin by just that, for any position of the bore; what
-/// scatters in the direction moves an origin that is 112 mm away.
+/// By hand: a part that is shifted by 0.3 and -0.2 and rotated by 0.4° about its origin moves the origin by exactly that, for any position of the bore; scatter
+/// of the direction moves an origin that is 112 mm away.
 #[test]
 fn a_shift_beside_a_rotation_is_that_of_the_origin() {
     let text = r#"{ "format": 2, "control": { "post": "linuxcnc", "workOffset": 1 }, "datum": { "rotation": "SIDE.rotation" },
@@ -854,7 +854,7 @@ fn a_shift_beside_a_rotation_is_that_of_the_origin() {
     probing_again_reads_nominal(&job(text), "a bore far off");
 }
 
-/// Cycles without a name are called by what they measure, and none as another one.
+/// Cycles without a name are named after their feature, each uniquely.
 #[test]
 fn names_that_nobody_gave_are_free() {
     let cycle = |name: &str, x: f64| {
@@ -883,7 +883,7 @@ fn names_that_nobody_gave_are_free() {
     assert_eq!(named(["", "", "", ""]), ["BORE", "BORE2", "BORE3", "BORE4"]);
 }
 
-/// A wall that faces half a turn away: no reading is a whole turn off.
+/// A wall that faces half a turn away: no result is a full turn off.
 #[test]
 fn the_angle_of_a_wall_at_half_a_turn_is_true() {
     for (rotation, turn) in [

@@ -1,4 +1,4 @@
-//! What is said of a set-up that cannot be, each at its place.
+//! Findings of invalid set-ups, each at its path.
 
 use crate::common::{job, planned, values, with};
 use touchpath::form::Value;
@@ -83,7 +83,7 @@ fn a_set_up_that_is_none_is_refused_at_its_place() {
     ] {
         assert_eq!(errors(&text), wanted, "{text}");
     }
-    // What every cycle has is said once, and at no cycle.
+    // A finding that all cycles share is reported once, at no cycle.
     let text = r#"{ "format": 2, "feeds": { "work": -1 }, "cycles": [{ "type": "hole" }, { "type": "web" }] }"#;
     assert_eq!(errors(text), ["out-of-range feeds.work"]);
 }
@@ -143,7 +143,7 @@ fn a_datum_that_is_no_result_is_refused_with_those_that_are() {
     }
 }
 
-/// A native cycle writes all that it measures: a job that would rather have less is refused, and no program says that it writes less.
+/// A native cycle writes everything that it measures: a job that would write less is refused, and no program claims to write less.
 #[test]
 fn what_a_cycle_of_the_control_writes_is_not_left_out() {
     let of = |post: &str, offset: &str, datum: &str| {
@@ -168,7 +168,7 @@ fn what_a_cycle_of_the_control_writes_is_not_left_out() {
                 "{post} {datum}"
             );
         }
-        // Z is not measured by the last cycle: nothing to leave out.
+        // Z is not measured by the last cycle: nothing to omit.
         for datum in ["{}", r#"{ "z": null }"#] {
             assert_eq!(
                 planned(&job(&of(post, "2", datum))).program.writes,
@@ -179,7 +179,7 @@ fn what_a_cycle_of_the_control_writes_is_not_left_out() {
     }
 }
 
-/// A place that one cycle touches is material for every other one, whatever is known of the rest.
+/// A position that one cycle touches is material for every other one, even if the rest is unknown.
 #[test]
 fn no_cycle_goes_through_what_another_one_touches() {
     let of = |x: f64, z: f64| {
@@ -187,12 +187,12 @@ fn no_cycle_goes_through_what_another_one_touches() {
             r#"{{ "format": 2, "cycles": [{{ "type": "hole", "diameter": 25 }}, {{ "type": "surface", "origin": [{x}, 0, {z}] }}] }}"#
         )
     };
-    // The way down into the hole passes the middle of the surface.
+    // The move down into the hole passes the middle of the surface.
     assert_eq!(errors(&of(0.0, 0.0)), ["collision cycles"]);
-    // 12.5 and the ball's radius beside the axis: the touches of the hole come to 9.5 from it, 3 from its wall.
+    // 12.5 and the ball's radius from the axis: the touches of the hole reach 9.5 from it, 3 from its wall.
     assert_eq!(errors(&of(12.0, -10.0)), ["collision cycles"]);
     assert!(errors(&of(-30.0, 0.0)).is_empty());
-    // However small the ball is.
+    // For any size of the ball.
     assert_eq!(
         errors(&of(0.0, 0.0).replace(
             r#""cycles""#,
@@ -221,7 +221,7 @@ fn what_is_written_is_proposed() {
     assert_eq!(plan.program.writes, ["X", "Y", "Z"]);
 }
 
-/// By hand: a stud of 20, 30 high, blocks the way; the hole beside it is approached at the height of the job.
+/// By hand: a stud of 20, 30 high, is in the way; the hole beside it is approached at the height of the job.
 #[test]
 fn the_way_to_a_cycle_does_not_hit_another_feature() {
     let of = |clear: &str, stud: f64| {
@@ -232,7 +232,7 @@ fn the_way_to_a_cycle_does_not_hit_another_feature() {
             {{ "type": "boss", "name": "STUD", "origin": [100, 0, {stud}], "diameter": 20, "feedDistance": 5 }}] }}"#
         )
     };
-    // The stud's own clearance height is above its top: as high as the highest cycle is high enough.
+    // The stud's own clearance height is above its top: the height of the highest cycle is enough.
     assert!(
         errors(&of("null", 30.0)).is_empty(),
         "{:?}",
@@ -259,7 +259,7 @@ fn a_top_that_is_measured_late_is_said() {
     );
 }
 
-/// A part that meets nothing in the third cycle gives no results of it, and the program writes nothing.
+/// A part without contact in the third cycle gives no results of it, and the program writes nothing.
 #[test]
 fn a_miss_in_the_last_cycle_is_said_by_its_name() {
     let text = r#"{ "format": 2, "control": { "workOffset": 1 }, "part": { "sizes": { "C.diameter": 30 } },

@@ -1,4 +1,4 @@
-//! What lies between the features of a set-up, held against hand calculations, the drawn part and LinuxCNC's interpreter.
+//! Relations between features of a set-up, against hand calculations, the virtual part and LinuxCNC's interpreter.
 
 use super::super::draws::drawn_spreads;
 use crate::common::fanuc::Control;
@@ -10,7 +10,7 @@ use touchpath::describe::catalog;
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, RESULT_CODES, ResultRow, evaluate, plan};
 
-/// Four holes on a pitch circle of 100 mm about (10, 5), a step of 3 mm, and two walls, on a part that is turned by 30° and shifted.
+/// Four holes on a pitch circle of 100 mm about (10, 5), a step of 3 mm, and two walls, on a part that is rotated by 30° and shifted.
 const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc" }, "clear": 40,
   "cycles": [
     { "name": "A", "type": "hole", "diameter": 20, "origin": [60, 5, -5] },
@@ -45,7 +45,7 @@ fn near(a: f64, b: f64, within: f64, what: &str) {
     assert!((a - b).abs() <= within, "{what}: {a} and {b}");
 }
 
-/// By hand: A and C are 100 mm apart along −X, all four lie on the circle, the middle of A and C is (10, 5), the step is 3 mm, B is 50 mm above the middle.
+/// By hand: A and C are 100 mm apart along −X, all four are on the circle, the midpoint of A and C is (10, 5), the step is 3 mm, B is 50 mm above the centre.
 #[test]
 fn relations_of_the_nominal_part_are_those_of_the_drawing() {
     let plan = planned(&job(PLATE));
@@ -74,7 +74,7 @@ fn relations_of_the_nominal_part_are_those_of_the_drawing() {
             &format!("{name}.{code}"),
         );
         near(row.value.unwrap(), wanted, 1e-6, &format!("{name}.{code}"));
-        // What a reading along one direction should be on another part nobody says.
+        // The true value of a one-directional reading on another part is undefined.
         assert_eq!(row.truth.is_some(), name != "DEEP", "{name}");
         near(
             row.truth.unwrap_or(wanted),
@@ -91,7 +91,7 @@ fn relations_of_the_nominal_part_are_those_of_the_drawing() {
     );
 }
 
-/// The same for a control with variables for less: three holes, three relations.
+/// The same for a control with fewer variables: three holes, three relations.
 fn small(job: &Value) -> Value {
     let kept = |key: &str, names: &[&str]| {
         let Some(Value::List(list)) = job.get(key) else {
@@ -117,7 +117,7 @@ fn small(job: &Value) -> Value {
     )
 }
 
-/// A part shifted and turned by 1.5°, with one larger hole: distances stay, directions turn with it, the mean grows by a quarter.
+/// A part shifted and rotated by 1.5°, with one larger hole: distances stay, directions rotate with it, the mean grows by a quarter.
 fn displaced(post: &str) -> Value {
     let part =
         r#"{ "offset": [0.4, -0.3, 0.2], "rotation": 1.5, "sizes": { "B.diameter": 0.08 } }"#;
@@ -130,7 +130,7 @@ fn displaced(post: &str) -> Value {
 
 #[test]
 fn relations_move_with_the_part_and_agree_with_its_truth() {
-    // A program of the tests' Fanuc and Haas has variables for less, as the next test has it.
+    // A program of the simulated Fanuc and Haas has fewer variables, as in the next test.
     for post in without(&of_moves(), &skipping()) {
         let plan = planned(&displaced(post));
         near(value(&plan, "AC", "distance"), 100.0, 2e-3, post);
@@ -153,8 +153,8 @@ fn relations_move_with_the_part_and_agree_with_its_truth() {
     }
 }
 
-/// Every kind of the list, with the fewest operands and with more: it has the results that its row says, LinuxCNC's interpreter computes them, what follows
-/// from true operands agrees on a displaced part, and its program is read back as the job. A kind that is added is asked all of this.
+/// Every kind of the list, with the fewest operands and with more: it has the results of its row, LinuxCNC's interpreter computes them, the value from true
+/// operands agrees on a displaced part, and its program is read back as the job. This applies to every kind that is added.
 #[test]
 fn each_kind_of_relation_is_computed_listed_and_read_back() {
     let kinds = catalog().relations;
@@ -224,7 +224,7 @@ fn each_kind_of_relation_is_computed_listed_and_read_back() {
                         .find(|(shown, _)| *shown == code)
                         .unwrap_or_else(|| panic!("{said}: {code}"));
                     near(*shown, row.value.unwrap(), 2e-4, &said);
-                    // How far touches are off a circle is not how far places are.
+                    // The distance of touches from a circle is not that of positions.
                     if row.code != "residual" {
                         near(row.value.unwrap(), row.truth.unwrap(), 3e-3, &said);
                     }
@@ -241,7 +241,7 @@ fn each_kind_of_relation_is_computed_listed_and_read_back() {
     assert!(asked >= 2 * kinds.len(), "{asked}");
 }
 
-/// Every control computes them: LinuxCNC's own interpreter, and the tests' machines.
+/// Every control computes them: LinuxCNC's own interpreter, and the simulated controls.
 #[test]
 fn programs_compute_what_the_plan_says() {
     let on_screen = |post: &str| {
@@ -372,7 +372,7 @@ fn uncertainties_go_through_relations() {
     );
 }
 
-/// Touches scattered along their directions, on a turned part: the spread of what lies between features is its stated uncertainty.
+/// Touches with scatter along their directions, on a rotated part: the spread of a relation is its stated uncertainty.
 #[test]
 fn uncertainties_of_relations_agree_with_draws() {
     let mut job = with(&job(PLATE), "part.rotation", Value::Number(0.3));
@@ -387,7 +387,7 @@ fn uncertainties_of_relations_agree_with_draws() {
     for i in &between {
         let (row, spread) = (&plan.results[*i], spreads[*i].unwrap());
         let stated = row.uncertainty.unwrap();
-        // Of 5,000 draws a spread is known to one percent.
+        // With 5,000 draws a spread is known to one percent.
         assert!(
             (spread / stated - 1.0).abs() < 0.04,
             "{} {}: drawn {spread}, stated {stated}",
@@ -398,7 +398,7 @@ fn uncertainties_of_relations_agree_with_draws() {
     assert_eq!(between.len(), 11);
 }
 
-/// A fixture of two holes: the origin in the middle between them, the rotation from the line through both. Probed again after the write, all is nominal.
+/// A fixture of two holes: the origin at the midpoint, the rotation from the line through both. Probed again after the write, everything is nominal.
 #[test]
 fn a_work_offset_is_written_from_relations() {
     let text = r#"{ "format": 2, "control": { "post": "linuxcnc", "workOffset": 1 }, "clear": 40,
@@ -415,7 +415,7 @@ fn a_work_offset_is_written_from_relations() {
         *ran.rotations_after_moves.last().unwrap(),
     );
     near(turn, 0.8, 1e-4, "rotation");
-    // Where the holes are on the part, by hand, and what the written system reads there.
+    // Positions of the holes on the part, by hand, and their coordinates in the written system.
     let (s, c) = 0.8f64.to_radians().sin_cos();
     for (x, y) in [(-70.0, 12.0), (70.0, 12.0)] {
         let (mx, my) = (x * c - y * s + 0.7, x * s + y * c - 0.45);
@@ -593,7 +593,7 @@ fn what_is_no_relation_is_said_at_its_place() {
     }
 }
 
-/// Two opposite walls of a vise that are not parallel, and directions near half a turn: by hand 180.3° less −0.2°, and their mean about the nominal one.
+/// Two opposite walls of a vise that are not parallel, and directions near half a turn: by hand 180.3° minus −0.2°, and their mean near the nominal one.
 #[test]
 fn directions_near_half_a_turn_are_compared_within_half_a_turn() {
     let text = |post: &str| {
@@ -689,7 +689,7 @@ fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_m
     }
 }
 
-/// One cycle in the list has its name, too: in tolerances, and in relations of its own results.
+/// A single cycle in the list has its name, too: in tolerances, and in relations of its own results.
 #[test]
 fn a_set_up_of_one_cycle_names_its_results() {
     let text = r#"{ "format": 2, "cycles": [{ "name": "BORE", "type": "internal-rectangle", "width1": 60, "width2": 40 }],
@@ -727,7 +727,7 @@ fn a_set_up_of_one_cycle_names_its_results() {
     );
 }
 
-/// One of four holes 1 mm off the circle of the others: a circle fits all four by a quarter of that, more than 0.1. A tenth of it does.
+/// One of four holes 1 mm off the circle of the others: a circle fits all four within a quarter of that, more than 0.1. A tenth of it is accepted.
 #[test]
 fn a_pitch_circle_of_places_that_lie_on_none_is_refused() {
     let moved = |y: &str| {
@@ -747,7 +747,7 @@ fn a_pitch_circle_of_places_that_lie_on_none_is_refused() {
     assert!(plan(&with(&moved("-46"), "limits.residual", Value::Null)).is_ok());
 }
 
-/// A relation and what is written are wrong: both are said at once.
+/// A relation and the written offset have errors: both are reported together.
 #[test]
 fn a_wrong_relation_hides_nothing_else() {
     let relations = r#"[{ "name": "ROW", "type": "line", "of": ["A", "NONE"] }]"#;
@@ -762,7 +762,7 @@ fn a_wrong_relation_hides_nothing_else() {
     }
 }
 
-/// At 0 a residual has no derivative, nor has a difference of two: its program was refused, for its last digits seemed wrong.
+/// At 0 a residual has no derivative, nor has a difference of two: its program was refused because its last digits seemed wrong.
 #[test]
 fn a_difference_of_residuals_is_proven_on_a_straight_part() {
     let asked = job(r#"{ "format": 2, "units": "inch", "name": "STRAIGHT",

@@ -1,4 +1,4 @@
-//! Cycles whose rotation or size follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
+//! Cycles whose rotation or size follows a result of an earlier one, against LinuxCNC's interpreter, the simulated controls and hand calculations.
 
 use super::cycle;
 use super::follows::{near, shown, stops_by, the_machines_measure_what_is_shown};
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
-/// A hole, a side, and a pocket that lies 100 mm and 20 mm beside the hole, as the side says.
+/// A hole, a side, and a pocket 100 mm and 20 mm from the hole, rotated like the side.
 pub const TURNED: &str = r#"{ "format": 2, "name": "TURNED", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
   "limits": { "position": 3, "angle": 1.5 },
   "cycles": [
@@ -18,7 +18,7 @@ pub const TURNED: &str = r#"{ "format": 2, "name": "TURNED", "control": { "post"
   ],
   "part": { "offset": [0.2, 0.1, 0], "rotation": 0.7 } }"#;
 
-/// A groove whose width may be anything, and a web beside it that is as wide.
+/// A groove of any width, and a web beside it with the same width.
 pub const GROWN: &str = r#"{ "format": 2, "name": "GROWN", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
   "limits": { "size": 2 }, "overtravel": 3,
   "cycles": [
@@ -43,7 +43,7 @@ fn holds(plan: &Plan) {
     );
 }
 
-/// Every place that the interpreter goes to (it says four decimals) is that of the drawing, turned by 0.7° about the hole and shifted with it.
+/// Every position of the interpreter (it prints four decimals) is that of the drawing, rotated by 0.7° about the hole and shifted with it.
 #[test]
 fn the_interpreter_turns_a_cycle_with_the_part() {
     let plan = planned(&job(TURNED));
@@ -97,7 +97,7 @@ fn the_interpreter_turns_a_cycle_with_the_part() {
         compared += 1;
     }
     assert!(compared > 5, "{compared}");
-    // A pocket that is touched askew is wider by the cosine, and by what the ball does.
+    // A pocket that is touched askew reads wider by the cosine, and by the effect of the ball.
     let still = planned(&job(&TURNED.replace("\"=SIDE.rotation+90\"", "0")));
     let wide = still
         .results
@@ -109,7 +109,7 @@ fn the_interpreter_turns_a_cycle_with_the_part() {
     assert!(wide > 40.002, "{wide}");
 }
 
-/// What is read along one direction only stands for the same point of the part: the middle of a rib, a point of a wall.
+/// A value along one direction refers to the same point of the part: the middle of a rib, a point of a wall.
 #[test]
 fn a_rib_and_a_wall_are_read_at_their_place_on_the_turned_part() {
     let (sin, cos) = 0.7f64.to_radians().sin_cos();
@@ -156,7 +156,7 @@ fn a_rib_and_a_wall_are_read_at_their_place_on_the_turned_part() {
     }
 }
 
-/// The touches of a web begin where the groove was found to end, and results are those of the web.
+/// The touches of a web begin at the found ends of the groove, and results are those of the web.
 #[test]
 fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
     let plan = planned(&job(GROWN));
@@ -182,8 +182,7 @@ fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
     near(gone, outmost + 0.6, 2e-6, "half of 1.2 mm farther out");
 }
 
-/// Values that the program writes is what the plan says is written, what `datum` takes and what has a row `offset`: also where the numbers of a job are no short
-/// decimals.
+/// Written values equal those in the plan, in `datum` and in the rows `offset`, also if the numbers of a job are not short decimals.
 #[test]
 fn what_a_turned_cycle_writes_is_listed_by_the_same_name() {
     let cycles = [
@@ -221,7 +220,7 @@ fn what_a_turned_cycle_writes_is_listed_by_the_same_name() {
                 .lines()
                 .find(|line| line.starts_with("G10 L20"))
                 .unwrap_or("");
-            // `X[#<_x>]` keeps what X reads: where the control turns its axes, both are named.
+            // `X[#<_x>]` keeps the value of X: if the control rotates its axes, both are written.
             let written = ["x", "y", "z"]
                 .map(|axis| block.contains(&format!(" {}[#<_{axis}>-", axis.to_ascii_uppercase())));
             prop_assert!(written.contains(&true), "{}", plan.program.text);
@@ -256,7 +255,7 @@ fn the_other_controls_turn_and_grow_a_cycle_likewise() {
     }
 }
 
-/// A part that is turned too far, or a groove that is too wide: the program stops before the cycle that follows, and writes nothing.
+/// A part that is rotated too far, or a groove that is too wide: the program stops before the next cycle and writes nothing.
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle() {
     let wide = |post: &str| with(&on(GROWN, post), "limits.size", Value::Number(1.0));
@@ -278,7 +277,7 @@ fn beyond_the_limit_every_control_stops_before_the_cycle() {
             stops_by(&plan, post, result);
         }
     }
-    // A little within it all is measured.
+    // Slightly within the limit everything is measured.
     assert!(
         planned(&turned_by(&job(TURNED), 1.49))
             .triggers
@@ -287,7 +286,7 @@ fn beyond_the_limit_every_control_stops_before_the_cycle() {
     );
 }
 
-/// What a review found: the words of an angle, cycles behind a turned one, ways between cycles that go along with each other, long blocks.
+/// From a review: words of an angle, cycles after a rotated one, link moves between cycles that move together, long blocks.
 #[test]
 fn angles_are_said_as_angles() {
     for units in ["mm", "inch"] {
@@ -331,7 +330,7 @@ fn a_cycle_may_follow_one_that_is_turned() {
     }
 }
 
-/// Holes 25 mm apart that go with one part: they keep their distance, and share what leads them.
+/// Holes 25 mm apart that follow one part: they keep their distance, and share the variables.
 #[test]
 fn cycles_that_follow_the_same_results_share_their_values() {
     for (post, count) in [
@@ -368,7 +367,7 @@ fn cycles_that_follow_the_same_results_share_their_values() {
     }
 }
 
-/// With the longest names LinuxCNC reads every block, in both units; and what is longer is refused, not cut.
+/// With the longest names LinuxCNC reads every block, in both units; longer blocks are refused, not cut.
 #[test]
 fn blocks_are_no_longer_than_the_interpreter_reads() {
     let text = TURNED
@@ -397,7 +396,7 @@ fn blocks_are_no_longer_than_the_interpreter_reads() {
     assert_eq!(ran.prints.len(), shown(&plan).len());
 }
 
-/// A wall says how far it is off along the drawing's direction: of a turned one that means nothing, and no tolerance is taken.
+/// A wall's deviation counts along the drawing's direction: for a rotated wall it is undefined, and a tolerance of it is refused.
 #[test]
 fn a_turned_wall_has_no_deviation() {
     let wall = TURNED.replace(
@@ -424,7 +423,7 @@ fn a_turned_wall_has_no_deviation() {
     );
 }
 
-/// What a control states has the uncertainty of the part of the drawing, and its guard band.
+/// A result that a control states has the uncertainty of the nominal part, and its guard band.
 #[test]
 fn stated_results_of_a_turned_cycle_have_their_uncertainty() {
     let text = TURNED.replace(
@@ -460,7 +459,7 @@ fn a_limit_that_a_turned_cycle_exceeds_is_said() {
     assert!(found(2.7).iter().all(|f| f.code != "turn-beyond-limit"));
 }
 
-/// The texts come back from every header; an angle is the same in other units, a size is not.
+/// The texts are read back from every header; an angle is the same in other units, a size is not.
 #[test]
 fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
     for post in computing() {
@@ -499,7 +498,7 @@ fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
     holds(&planned(&inch));
 }
 
-/// What a machine measured is computed with the angle that it measured, whatever the virtual part is.
+/// Measurements are evaluated with the measured angle, for any virtual part.
 #[test]
 fn measured_points_are_turned_as_they_say() {
     let real = planned(&turned_by(&job(TURNED), -1.2));
@@ -573,12 +572,12 @@ fn what_cannot_follow_is_refused_at_its_place() {
         errors(&GROWN.replace("\"size\": 2", "\"size\": null")),
         ["place-of-result cycles[1].width"]
     );
-    // A web that the smallest groove would make as wide as nothing.
+    // A web that the smallest groove would make zero wide.
     assert_eq!(
         errors(&size("=SLOT.width-28")),
         ["place-of-result cycles[1].width"]
     );
-    // 1411 says its rotation by parameters of its own.
+    // 1411 has its own parameters for rotation.
     let own = TURNED.replace(
         r#""type": "internal-rectangle", "width1": 40, "width2": 30"#,
         r#""type": "probing-two-circles""#,
@@ -602,12 +601,12 @@ fn what_cannot_follow_is_refused_at_its_place() {
         "{:?}",
         errors(&own)
     );
-    // A job of one cycle has none before it.
+    // A job with one cycle has no earlier one.
     let alone = r#"{ "format": 1, "cycle": { "type": "web", "width": "=SLOT.width" } }"#;
     assert_eq!(errors(alone), ["wrong-type cycle.width"]);
 }
 
-/// In every plane, at any limit, with any cycle that measures places and sizes: on turned parts the interpreter measures what they are.
+/// In every plane, at any limit, with any cycle that measures positions and sizes: on rotated parts the interpreter's results are correct.
 #[test]
 fn random_cycles_follow_an_angle_on_parts_that_are_turned() {
     let mut draws = Draws(78);

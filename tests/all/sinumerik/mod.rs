@@ -1,4 +1,4 @@
-//! SINUMERIK: the programs are read back, run on a control of our own, and broken on purpose.
+//! SINUMERIK: the programs are read back, run on a simulated control, and broken on purpose.
 
 mod stops;
 
@@ -8,7 +8,7 @@ use crate::common::{job, number, planned, point, values, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, default_job};
 
-/// Every job of the repository that a SINUMERIK takes, put out for it; and its own ones.
+/// Every job of the repository that a SINUMERIK supports, converted for it, and its own ones.
 fn plans() -> Vec<(String, Value, Plan)> {
     crate::common::unlimited_jobs()
         .into_iter()
@@ -70,7 +70,7 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
             continue;
         }
         assert_eq!(machine.alarm, None, "{name}: {}", machine.message);
-        // Which R parameter holds what, as the program itself says. Verdicts and single touches are not the program's.
+        // R parameters of the results, as stated in the program. Verdicts and single touches are not computed by it.
         let found: Vec<&str> = plan
             .program
             .text
@@ -99,8 +99,8 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
     assert!(compared > 150 && deviating > 20, "{compared} {deviating}");
 }
 
-/// With a shift and a turn in the frame already, what was measured must come to its nominal position: the machine position of the
-/// measured point in the old frame is that of the nominal point in the new one.
+/// With a shift and a rotation already in the frame, the measured feature must come to its nominal position: the machine position of the measured point in the
+/// old frame is that of the nominal point in the new one.
 #[test]
 fn the_frame_is_written_once_and_is_right_under_a_turn_that_was_there() {
     let mut seen = 0;
@@ -173,7 +173,7 @@ fn the_frame_is_written_once_and_is_right_under_a_turn_that_was_there() {
     assert!(seen >= 10, "{seen}");
 }
 
-/// A rotation too: two circles, both centres and the line between them come to their nominal places.
+/// A rotation too: two circles, both centres and the line between them come to their nominal positions.
 #[test]
 fn the_turn_of_two_circles_is_written_with_the_shift() {
     let job = job(
@@ -206,7 +206,7 @@ fn the_turn_of_two_circles_is_written_with_the_shift() {
             frame[0][1] + p[0] * sin + p[1] * cos,
         ]
     };
-    // The middle of both circles is what is transferred.
+    // The midpoint of both circles is transferred.
     let middle = [
         (value("Q950") + value("Q953")) / 2.0,
         (value("Q951") + value("Q954")) / 2.0,
@@ -218,7 +218,7 @@ fn the_turn_of_two_circles_is_written_with_the_shift() {
     );
 }
 
-/// Real calls of CYCLE977, as they are found in the field, and ours: the same positions hold the same kind of thing.
+/// Real calls of CYCLE977 from the field, and ours: the same positions have the same kind of value.
 #[test]
 fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
     let arguments = |line: &str| -> Vec<Option<String>> {
@@ -232,7 +232,7 @@ fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
             .map(|a| a.as_ref().map(|t| format!("{t:?}")))
             .collect()
     };
-    // A bore with a protection zone that corrects G54; the newer example carries two arguments more.
+    // A bore with a protection zone that corrects G54; the newer example has two more arguments.
     let zone =
         "CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,-3,15)";
     let bore = "CYCLE977(101,9000,,1,32,,,10,5,0,1,1,,,1,\"\",,0,0.2,0.1,-0.1,0.34,1,0,,1,1)";
@@ -252,7 +252,7 @@ fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
         line,
         "CYCLE977(1105,10001,,1,,80,50,5,4,0,20,58,28,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,0,0)"
     );
-    // The centre is where the job says, or the control would set zero onto the feature.
+    // The centre is that of the job, or the control would set zero onto the feature.
     let elsewhere = planned(&job(
         r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "origin": [120, -35.5, 4] },
         "control": { "post": "sinumerik", "form": "cycle", "workOffset": 3 } }"#,
@@ -265,7 +265,7 @@ fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
         "{}",
         elsewhere.program.text
     );
-    // 2, and 22 to 24, are empty where nothing is corrected.
+    // 2, and 22 to 24, are empty if nothing is corrected.
     let measured = planned(&job(
         r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected" }, "control": { "post": "sinumerik", "form": "cycle" } }"#,
     ));
@@ -300,7 +300,7 @@ fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
     let (ours, zone, bore) = (arguments(line), arguments(zone), arguments(bore));
     assert_eq!((ours.len(), bore.len(), zone.len()), (29, 27, 29));
     for (i, argument) in ours.iter().enumerate() {
-        // A rectangle has its two lengths where a bore has none, no diameter, and the second extent of its zone.
+        // A rectangle has its two lengths in arguments that a bore leaves empty, no diameter, and a second extent of its zone.
         let rectangle = matches!(i, 4 | 5 | 6 | 12);
         assert!(
             rectangle || i >= bore.len() || argument.is_some() == bore[i].is_some(),
@@ -332,7 +332,7 @@ fn what_the_control_cannot_do_is_refused() {
     let cycle = with(&pocket, "control.form", text("cycle"));
     assert_eq!(found(&pocket), [""; 0]);
     assert_eq!(found(&cycle), [""; 0]);
-    // Turned by argument 10; parallel to the axes, but width 1 along the second one, the widths are the other way round.
+    // Rotated by argument 10; parallel to the axes, but with width 1 along the second one, the widths are exchanged.
     let call = |turn: f64| {
         planned(&with(&cycle, "cycle.rotation", number(turn)))
             .program
@@ -434,11 +434,11 @@ fn the_tool_section_says_which_length_acts_on_the_tool_axis() {
             if good { &fine[..] } else { &wrong[..] },
             "{path} {value:?}"
         );
-        // Other controls do not ask.
+        // Other controls do not check it.
         let other = with(&job, "control.post", Value::Text("linuxcnc".to_owned()));
         assert_eq!(found(&other), fine, "{path} {value:?}");
     }
-    // Mirrored, with or without the length: what is up in the program is down on the machine.
+    // Mirrored, with or without the length: up in the program is down on the machine.
     let mirrored = with(&pocket, "tool.frame", frame(r#"[{ "mirror": "Z" }]"#));
     assert_eq!(found(&mirrored), ["tool-axis-reversed tool.frame"]);
     assert_eq!(
@@ -476,7 +476,7 @@ fn the_tool_section_says_which_length_acts_on_the_tool_axis() {
     );
 }
 
-/// A feed may be left to the control's rapid; MEAS needs one that is stated.
+/// A feed may be left to the control's rapid; MEAS needs a stated one.
 #[test]
 fn rapids_stay_protected() {
     let job = with(
@@ -503,7 +503,7 @@ fn rapids_stay_protected() {
     );
 }
 
-/// A program becomes the job again: the header says it, the blocks agree, and the path is the same.
+/// A program is read back as the job: the header contains it, the blocks agree, and the path is the same.
 #[test]
 fn a_program_is_read_back_as_its_job() {
     for (name, job, plan) in plans() {
@@ -552,7 +552,7 @@ fn a_program_that_was_changed_is_told() {
         }
     };
     assert_eq!(said(text), [""; 0]);
-    // Whatever is changed: a place, a feed, a plane, a sign, an axis, a check, a jump, the exit, the header.
+    // Any change is found: a position, a feed, a plane, a sign, an axis, a check, a jump, the exit, the header.
     let changes = [
         ("Z10 F2000", "Z9 F2000"),
         ("X139.4671", "X119.4671"),
@@ -616,14 +616,14 @@ fn a_program_that_was_changed_is_told() {
             .count(),
         4
     );
-    // A program of version 0.1.0 says a value a line.
+    // A program of version 0.1.0 has one value per line.
     let old = "; job cycle.type = hole\n; job cycle.diameter = 30\n; job control.post = sinumerik\nG71\nG90\nM30\n";
     let imported = crate::common::import(old).unwrap();
     assert_eq!(
         crate::common::number_at(&imported.job, "cycle.diameter", 0.0),
         30.0
     );
-    // Only what a job has a place for is read; no number that is none; and the version is looked at.
+    // Only known keys of a job are read, no invalid number, and the version is checked.
     let header = "; Made by Touchpath 99.0.0 from this job\n; job cycle.type=hole cycle.diameter=inf __proto__.x=1 cycle.origin=[1,2,3]\n\
                   ; job cycle.touches[16].point=[1,2,3] a[999][999].b=1 cycle.origin[7]=1 constructor=1 feeds.longLink=inf\nG71\nG90\nM30\n";
     let imported = crate::common::import(header).unwrap();
@@ -654,7 +654,7 @@ fn a_program_that_was_changed_is_told() {
         "{text}; job cycle.touches[999999999999].point = 1\n; job cycle.origin.x.y = 2\n; job  = 3\n"
     );
     let _ = said(&long);
-    // Hostile ones are read or refused in a moment, and nothing overflows.
+    // Hostile ones are read or refused quickly, and nothing overflows.
     let head = "; job cycle.type = hole\nMEAS=1 G1 X1 F1\n";
     for hostile in [
         "IF 1 GOTOF A\n",
@@ -673,7 +673,7 @@ fn a_program_that_was_changed_is_told() {
             "{deep}"
         );
     }
-    // Texts of others that only mention it are theirs.
+    // Foreign texts that only mention it stay foreign.
     let klartext = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 Q1100=0 Q1101=0 Q1102=0 Q1116=20 Q1103=50 Q1104=0 Q1105=0 Q1117=20 ; was CYCLE977\n2 END PGM A MM\n";
     assert!(crate::common::import(klartext).is_ok());
 }

@@ -1,4 +1,4 @@
-//! What ends a program before it does harm: contacts on the way, a probe that is not free, a control that is not as it must be.
+//! Reasons that end a program before it does harm: contacts in positioning, a probe that is not free, a control in a wrong state.
 
 use super::{axes, machine, moves_form, parsed, plans};
 use crate::common::mpf::read;
@@ -6,8 +6,8 @@ use crate::common::sinumerik::Machine;
 use crate::common::{job, planned, with};
 use touchpath::form::Value;
 
-/// Whatever move is stopped by a contact: the message names it, nothing is written by the program, and the ball goes nowhere but up,
-/// never on against what it met on the way up, and never down from above.
+/// For any move that a contact stops: the message has its number, the program writes nothing, and the ball moves only up, not after a contact in an upward
+/// move, and never down from above.
 #[test]
 fn a_contact_ends_the_program_and_names_the_move() {
     let low = job(
@@ -38,7 +38,7 @@ fn a_contact_ends_the_program_and_names_the_move() {
                 continue;
             }
             let mut machine = machine(&job, &plan);
-            // Down from far above: the first move may meet something up there.
+            // Down from far above: the first move may have a contact up there.
             machine.start = plan.moves[0].to;
             machine.start[w] = highest + 100.0;
             machine.contact_in = Some((index + 1) as f64);
@@ -64,7 +64,7 @@ fn a_contact_ends_the_program_and_names_the_move() {
                 (Some(65000.0), usize::from(by_cycle)),
                 "{name} {step:?}"
             );
-            // Arcs are made of several moves: the last place is where it stopped, or where it was lifted to.
+            // An arc consists of several moves: the last position is where it stopped, or where it retracted to.
             let planned_up = index > 0 && step.to[w] > plan.moves[index - 1].to[w] + 1e-6;
             let last = machine.path[machine.path.len() - 1];
             let before = if machine.path.len() > 1 {
@@ -125,7 +125,7 @@ fn a_contact_ends_the_program_and_names_the_move() {
         }
     }
     assert!(lifted > 40 && stayed > 20, "{lifted} {stayed}");
-    // By hand: the pocket's third way up is blocked at once, nothing more moves; its way across is lifted to Z30.
+    // By hand: the pocket's third upward move is blocked immediately, and nothing more moves; its move across retracts to Z30.
     let (_, job, plan) = plans()
         .into_iter()
         .find(|(name, ..)| name == "pocket-sinumerik")
@@ -136,12 +136,12 @@ fn a_contact_ends_the_program_and_names_the_move() {
         machine.run(&parsed(&plan)).unwrap();
         machine.path.len()
     };
-    // The approach is made of three moves.
+    // The approach consists of three moves.
     assert_eq!((ends(7.0), ends(8.0)), (9, 11));
 }
 
-/// On the control of the tests MEAS sees only the edge of the signal. A probe that stays deflected from some touch on ends the program
-/// before the next probing move: nothing is measured with it, nothing is written, and the ball goes nowhere but up.
+/// On the simulated control MEAS reacts only to the edge of the signal. A probe that stays deflected from some touch on ends the program before the next
+/// probing move: nothing is measured with it, nothing is written, and the ball moves only up.
 #[test]
 fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move() {
     let (mut ended, mut touches_refused) = (0, 0);
@@ -155,7 +155,7 @@ fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move
             let Ok(plan) = touchpath::job::plan(&job) else {
                 continue;
             };
-            // The places of a real part: a program that continues would find its next wall.
+            // Positions of a real part: a program that continues would find its next wall.
             if plan.triggers.contains(&None) {
                 continue;
             }
@@ -172,7 +172,7 @@ fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move
                     .iter()
                     .position(|m| m.kind == "touch" && m.touch == Some(k))
                     .unwrap();
-                // The next move that has to see the probe: a positioning move only where it is watched.
+                // The next move that needs the probe: a positioning move only if it is watched.
                 let probes =
                     |kind: &str| kind == "touch" || kind == "position" && protection == "checked";
                 let Some(next) =
@@ -234,7 +234,7 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
         ("The work offset is turned", |m| m.frame[1][1] = 3.0),
         ("The work offset is turned", |m| m.frame[2][2] = 1.0),
         ("The work offset is turned", |m| m.frame[3][0] = 2.0),
-        // What TOROT and CYCLE800 leave behind.
+        // Left active by TOROT and CYCLE800.
         ("The work offset is turned", |m| m.behind[1][1][1] = 30.0),
         ("The work offset is turned", |m| m.behind[2][1][0] = 30.0),
         ("The work offset is turned", |m| m.behind[2][0][2] = 5.0),
@@ -256,7 +256,7 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     }
 }
 
-/// The native cycle corrects the coarse part of the offset: what else moves the offset's zero would be in the result.
+/// The native cycle corrects the coarse part of the offset: any other shift of the offset's zero would be in the result.
 #[test]
 fn the_cycle_is_not_called_where_the_offset_has_a_fine_part() {
     let (_, job, plan) = plans()
@@ -290,7 +290,7 @@ fn the_cycle_is_not_called_where_the_offset_has_a_fine_part() {
     }
 }
 
-/// A program that only measures leaves a programmed shift as it is, and refuses a turn, a mirror and a scale before it moves.
+/// A program that only measures keeps a programmed shift, and refuses a rotation, a mirror and a scale before it moves.
 #[test]
 fn a_programmed_turn_mirror_or_scale_is_refused_where_nothing_is_written() {
     let job =
@@ -322,7 +322,7 @@ fn a_programmed_turn_mirror_or_scale_is_refused_where_nothing_is_written() {
     }
 }
 
-/// Every broken program is seen: by the syntax, by the structure, or by the path.
+/// Every broken program is found: by the syntax, by the structure, or by the path.
 #[test]
 fn a_broken_program_is_caught() {
     let (_, _, plan) = plans()
@@ -369,7 +369,7 @@ fn a_broken_program_is_caught() {
     }
 }
 
-/// With D0 the length of the probe does not count: the program says so before anything moves. Of the two probe inputs the program asks the one of the job.
+/// With D0 the length of the probe does not count: the program stops before anything moves. Of the two probe inputs it reads the one of the job.
 #[test]
 fn the_tool_offset_and_the_probe_input_are_asked() {
     for input in [1, 2] {
@@ -442,7 +442,7 @@ fn g18_states_radii() {
     }
 }
 
-/// A cycle that only measures ends in the middle that it found: from there the ball goes straight up first.
+/// A cycle that only measures ends at the centre that it found: from there the ball moves straight up first.
 #[test]
 fn from_a_cycle_that_only_measures_the_way_out_is_straight_up() {
     let mut counted = 0;
@@ -486,7 +486,7 @@ fn from_a_cycle_that_only_measures_the_way_out_is_straight_up() {
     assert!(counted > 3);
 }
 
-/// Of several cycles the last one corrects, and those before it only measure: each of them is left straight up.
+/// Of several cycles the last one corrects, and those before it only measure: the ball leaves each of them straight up.
 #[test]
 fn of_several_cycles_those_that_only_measure_are_left_straight_up() {
     let set_up = job(

@@ -52,7 +52,7 @@ proptest! {
     fn expressions_come_to_what_the_interpreter_computes(all in prop::collection::vec(expression(), 12)) {
         let lines: String = all.iter().map(|text| format!("G1 X[{text} / 1000]\n")).collect();
         let text = format!("G21 G90\n#20 = 3.25\n#<b> = -7.5\nG0 X0 Y0 Z0\nF100\n{lines}M2\n");
-        // A value beyond what the interpreter prints is compared by its sixth digit.
+        // A value beyond the interpreter's print is compared to its sixth digit.
         let ran = interpret(&text);
         prop_assume!(ran.is_ok());
         let ran = ran.unwrap();

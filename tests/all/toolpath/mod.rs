@@ -21,7 +21,7 @@ fn kinds(path: &Toolpath) -> Vec<&'static str> {
     path.kind.iter().map(|k| KINDS[usize::from(*k)]).collect()
 }
 
-/// Random programs of words: every place, kind, feed, centre and sense is what the interpreter makes of them.
+/// Random programs of words: every position, kind, feed, centre and sense equals the interpreter's.
 #[test]
 fn words_mean_what_the_interpreter_says() {
     let mut state = 0x5DEE_CE66u64;
@@ -73,7 +73,7 @@ fn words_mean_what_the_interpreter_says() {
                     words(target).to_lowercase().replace(' ', ""),
                     100 + random(900)
                 )),
-                // Where the interpreter takes the ball to be after a probing move is its own: the next block names all axes.
+                // The interpreter has its own position after a probing move, so the next block has all axes.
                 2 if target != place && absolute => {
                     let probe = format!(
                         "G38.{}{} F{}",
@@ -113,7 +113,7 @@ fn words_mean_what_the_interpreter_says() {
                     };
                     text.push_str(&format!("{middle}\n"));
                 }
-                // By its radius, the short way or the long one.
+                // By its radius, the short or the long arc.
                 5 | 6 => {
                     target = [place[0] + 24, place[1] + 8 * random(5) as i64, place[2]];
                     let sign = if random(2) == 0 { "-" } else { "" };
@@ -185,7 +185,7 @@ T1 M5 S100
     assert!(moves > 2500 && arcs > 800, "{moves} {arcs}");
 }
 
-/// The moves of every program that is made here are in the lines that the plan says, probing moves as such.
+/// The moves of every generated program are in the lines of the plan, probing moves as such.
 #[test]
 fn programs_of_plans_are_their_plans() {
     let mut seen = 0;
@@ -221,7 +221,7 @@ fn programs_of_plans_are_their_plans() {
     assert!(seen > 1000, "{seen}");
 }
 
-/// What one block says is not said by the next: a centre of which only I is given has no J of the arc before.
+/// The words of one block do not carry over: a centre with only I has no J of the arc before.
 #[test]
 fn no_word_stays_for_the_next_block() {
     let begin = "G21 G17\nG0 X10 Y0 Z0\n";
@@ -245,7 +245,7 @@ fn no_word_stays_for_the_next_block() {
         "G2 X10 Y0 R10",
         "I-4",
     ] {
-        // To the same place, with the same feed and modes.
+        // To the same position, with the same feed and modes.
         let set = "G1 X10 Y0 Z0 F100\n";
         let alone = read_program(&format!("{begin}{set}{after}\n"), Some("iso"));
         for first in before {
@@ -269,7 +269,7 @@ fn no_word_stays_for_the_next_block() {
     }
 }
 
-/// Nothing in a text makes it panic, hang, or say a place that is no place.
+/// No text causes a panic, a hang, or an invalid position.
 #[test]
 fn hostile_texts_are_read() {
     let long = format!("G1 X{}\n", "1".repeat(5_000));
@@ -305,7 +305,7 @@ fn hostile_texts_are_read() {
         said(&read_program("G91 G1 X1\n", None)),
         ["start-unknown", "no-units"]
     );
-    // Long lines of what is no word take no longer than they are long.
+    // Long lines of invalid words take time linear in their length.
     for part in ["Xa1X1", "X1!", "#1=", "XSIN[", "_X1 ", "/N1"] {
         for dialect in ["iso", "sinumerik"] {
             read_program(&part.repeat(1_000_000 / part.len()), Some(dialect));
@@ -313,14 +313,14 @@ fn hostile_texts_are_read() {
     }
 }
 
-/// The end of each program's moves, and what was said: each of these was read as something that it is not.
+/// The end of each program's moves, and its findings: each of these was read as something else.
 #[test]
 fn words_that_are_no_moves_were_read_as_moves() {
     let unknown = [f64::NAN; 3];
     let known = |x: f64, y: f64, z: f64| [x, y, z];
     type Case<'a> = (&'a str, usize, [f64; 3], &'a [&'a str]);
     let cases: &[Case<'_>] = &[
-        // A macro's arguments, and where it leaves the ball.
+        // A macro's arguments, and the ball position after it.
         (
             "G65 P9811 Z-5. F300\nG0 X10",
             2,
@@ -368,7 +368,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(30.0, f64::NAN, f64::NAN),
             &["lines-skipped"],
         ),
-        // A tool's length, and planes that are turned.
+        // A tool's length, and rotated planes.
         (
             "G43.1 Z-1.5\nX2",
             2,
@@ -399,7 +399,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
         // A dwell beside a motion; a dwell alone, whose X is its time.
         ("G4 P0.001 G0 X20", 2, known(20.0, 10.0, 10.0), &[]),
         ("G4 X2.", 1, known(10.0, 10.0, 10.0), &[]),
-        // A spline, and a tap that comes back.
+        // A spline, and a tapping cycle that returns.
         (
             "G5 X20 Y20 I1 J1 P1 Q1",
             2,
@@ -412,14 +412,14 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(2.0, 10.0, 10.0),
             &["lines-skipped"],
         ),
-        // The modes before an odd word count.
+        // The modes before an unknown word count.
         (
             "G91\nG90 G1 X50 ,R2 F100\nX60 Y30",
             2,
             known(60.0, 30.0, 10.0),
             &["lines-skipped"],
         ),
-        // Blanks mean nothing in O words.
+        // Blanks have no meaning in O words.
         (
             "o100 if[#1 EQ 1]\nM2\no100 endif\nG0 X5",
             2,
@@ -440,7 +440,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
         ),
         // Axes that are not drawn.
         ("G0 X20 A90", 2, known(20.0, 10.0, 10.0), &["lines-skipped"]),
-        // To the reference point, all axes or those that are named.
+        // To the reference point, with all axes or those given.
         (
             "G28\nX1",
             2,
@@ -453,7 +453,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(1.0, 10.0, f64::NAN),
             &["machine-places"],
         ),
-        // A line that is not followed, with places in it.
+        // A line that is not followed, with positions in it.
         (
             "Z-#5\nX2",
             3,
@@ -481,7 +481,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(99.0, f64::NAN, f64::NAN),
             &["lines-skipped"],
         ),
-        // Two motions or places in a block: LinuxCNC refuses them.
+        // Two motions or positions in a block: LinuxCNC refuses them.
         (
             "G0 X20 Y20 G1 X5 F100",
             2,
@@ -489,15 +489,15 @@ fn words_that_are_no_moves_were_read_as_moves() {
             &["words-twice"],
         ),
         ("G0 G1 X5 F100", 2, known(5.0, 10.0, 10.0), &["words-twice"]),
-        // A lathe calls the place where the tool is so.
+        // A lathe's code that sets the position of the tool.
         ("G50 X5\nX20", 2, known(20.0, 10.0, 10.0), &[]),
         ("G50 S2000\nG50\nX20", 2, known(20.0, 10.0, 10.0), &[]),
-        // Blocks that may be left out, and main blocks.
+        // Blocks with block skip, and main blocks.
         ("/2 X3", 2, known(3.0, 10.0, 10.0), &["lines-optional"]),
         ("/G91\nX3", 2, known(13.0, 10.0, 10.0), &["lines-optional"]),
         ("/M5\n/T1", 1, known(10.0, 10.0, 10.0), &[]),
         (":10 X3", 2, known(3.0, 10.0, 10.0), &[]),
-        // An end that is not on its circle.
+        // An end off its circle.
         (
             "G2 X20 Y10 I1 J0",
             2,
@@ -516,7 +516,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
     }
 }
 
-/// What real programs begin with, and what a SINUMERIK alone has not.
+/// Beginnings of real programs, and texts that no SINUMERIK would have.
 #[test]
 fn a_dialect_is_that_of_its_words() {
     for text in [
@@ -544,7 +544,7 @@ fn a_dialect_is_that_of_its_words() {
     }
 }
 
-/// Moves above the first units were taken to be in them without a word.
+/// Moves above the first units were read in them without a note.
 #[test]
 fn units_below_the_first_moves_are_said() {
     for (text, codes) in [
@@ -557,7 +557,7 @@ fn units_below_the_first_moves_are_said() {
     }
 }
 
-/// Frames of a SINUMERIK were lines that are not understood.
+/// Frames of a SINUMERIK were reported as lines that are not understood.
 #[test]
 fn a_frame_of_a_sinumerik_transforms_places() {
     let transformed = Some("places-transformed");

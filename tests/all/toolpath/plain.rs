@@ -1,10 +1,10 @@
-//! Blocks of plain words have a reader of their own. A comment behind such a block changes nothing of it, and has it read word by word: both must agree.
+//! Blocks of plain words have a fast reader. A comment after such a block does not change its meaning, but has it read word by word: both must agree.
 
 use super::read_program;
 use crate::common::{Draws, with_comments};
 use touchpath::import::toolpath::DIALECTS;
 
-/// What blocks are made of: plain words far more often than what changes what these mean.
+/// Parts of blocks: plain words much more often than words that change their meaning.
 const PLAIN: [&str; 19] = [
     "G0", "G1", "G01", "g00", "G1.", "G38.2", "G38.3", "X1.5", "Y-2", "Z+.25", "x3", "F100",
     "f250.5", "X 4", "G2", "X0Y0", "N10", "N20 /", "Z-0",

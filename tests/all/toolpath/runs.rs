@@ -1,4 +1,4 @@
-//! Programs that are run with what is known beside their text. More of them are in `tests/programs`.
+//! Programs that are run with inputs. More of them are in `tests/programs`.
 
 use super::*;
 use crate::common::with;
@@ -29,7 +29,7 @@ fn start(job: &Value) -> Option<[f64; 3]> {
     Some([axis(0), axis(1), axis(2)])
 }
 
-/// Every program that is made here runs to its end where touches are made and nothing else is met: each move of the plan once, in its line, where the plan has it.
+/// Every generated program runs to its end if there are contacts only in touches: each move of the plan once, in its line, at its position.
 #[test]
 fn every_program_that_is_made_here_runs_as_its_plan() {
     let mut seen = 0;
@@ -45,7 +45,7 @@ fn every_program_that_is_made_here_runs_as_its_plan() {
                 ..met(0.9)
             },
         );
-        // The way to the first place is a subroutine's, in its own lines.
+        // The approach to the first position is a subroutine's, in its own lines.
         let called = |line: i32| {
             plan.program
                 .text
@@ -74,7 +74,7 @@ fn every_program_that_is_made_here_runs_as_its_plan() {
             let end = places(&run)[own];
             let touch = step.kind == "touch";
             assert!(!touch || kinds(&run)[own] == "probe", "{}", what());
-            // A touch runs on behind its contact.
+            // A touch continues past its contact.
             let off = (0..3)
                 .map(|axis| (end[axis] - step.to[axis]).powi(2))
                 .sum::<f64>()
@@ -95,11 +95,11 @@ fn every_program_that_is_made_here_runs_as_its_plan() {
     assert!(seen > 1000, "{seen}");
 }
 
-/// What the rules of a run say of the programs that are made here: nothing is broken but what the control cannot do.
+/// Rules of a run of generated programs: nothing is broken except rules that the control cannot guarantee.
 #[test]
 fn the_rules_of_a_run_agree_with_those_of_the_proof() {
     let mut asked = 0;
-    // Each for its own control, and for a Fanuc, whose programs keep places in variables.
+    // Each for its own control, and for a Fanuc, whose programs store positions in variables.
     let of_fanuc = jobs().into_iter().map(|(name, job)| {
         (
             name,
@@ -117,7 +117,7 @@ fn the_rules_of_a_run_agree_with_those_of_the_proof() {
         if plan.program.proof.is_none() || plan.touches.is_empty() {
             continue;
         }
-        // With contacts, and as a text of which nothing is known.
+        // With contacts, and as a text without inputs.
         let runs =
             [met(0.9), RunInputs::default()].map(|known| run_program(&plan.program.text, &known));
         assert!(
@@ -136,13 +136,13 @@ fn the_rules_of_a_run_agree_with_those_of_the_proof() {
                     plan.program.post, plan.program.text
                 )
             };
-            // Where a job limits no result its program asks for none.
+            // Without a limit for any result, its program checks none.
             let unlimited = rule.rule == "plausible-before-write"
                 && !plan.program.text.to_ascii_lowercase().contains("more than");
             if unlimited {
                 continue;
             }
-            // What the proof holds the run may not know, and never denies; what the proof denies the run does not hold.
+            // A rule that the proof confirms may be unknown to the run, but never broken; a rule that the proof refutes never holds in the run.
             match proven {
                 Some(Some(true)) => assert_ne!(rule.holds, Some(false), "{}", what()),
                 Some(Some(false)) => assert_ne!(rule.holds, Some(true), "{}", what()),
@@ -154,7 +154,7 @@ fn the_rules_of_a_run_agree_with_those_of_the_proof() {
     assert!(asked > 600, "{asked}");
 }
 
-/// A Fanuc may keep where a move ended before it asks: what it asks last before the next motion counts.
+/// A Fanuc may store the end of a move before the check: the last check before the next motion counts.
 #[test]
 fn a_place_that_was_kept_is_asked_by_its_name() {
     let program = |ask: &str| {
@@ -175,7 +175,7 @@ fn a_place_that_was_kept_is_asked_by_its_name() {
         [""; 0]
     );
     assert_eq!(broken("IF [ABS[#148] GT 0.05] GOTO 9\n"), [""; 0]);
-    // What it asks of another variable says nothing of the move.
+    // A check of another variable proves nothing about the move.
     assert_eq!(
         broken("IF [ABS[#1480] GT 0.05] GOTO 9\n"),
         ["missed-touch-stops"]
@@ -183,7 +183,7 @@ fn a_place_that_was_kept_is_asked_by_its_name() {
     assert_eq!(broken(""), ["missed-touch-stops"]);
 }
 
-/// Where moves end, to a ten-thousandth, and their lines from 1.
+/// Ends of moves, to a ten-thousandth, and their lines from 1.
 fn shown(run: &Toolpath) -> Vec<String> {
     let axis = |x: f64| {
         if x.is_nan() {
@@ -203,7 +203,7 @@ fn shown(run: &Toolpath) -> Vec<String> {
     (0..run.len()).map(row).collect()
 }
 
-/// Each rule is broken by a program of someone else's, at its lines.
+/// Each rule is broken by a foreign program, at its lines.
 #[test]
 fn a_rule_names_the_lines_that_break_it() {
     let broken = |text: &str| {
@@ -238,7 +238,7 @@ fn a_rule_names_the_lines_that_break_it() {
         ("M5\n", "M3 S500\n", "spindle-off [2]"),
         ("G38.3 X5 Y5 F900", "G0 X5 Y5", "positioning-watched [3]"),
         ("G38.2 Z-5 F60", "G38.3 Z-5 F60", "missed-touch-stops [7]"),
-        // Nothing reads where it ended, and nothing asks: a positioning move whose contact goes unnoticed.
+        // Nothing reads its end, and nothing checks it: a positioning move whose contact goes unnoticed.
         (
             "G38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\n",
             "G38.3 X5 Y5 F900\nG1 X6 F900\n",
@@ -275,7 +275,7 @@ fn a_rule_names_the_lines_that_break_it() {
     }
     let feedless = good.replace(" F900", "").replace(" F60\n", "\n");
     assert!(broken(&feedless).contains(&"feeds-stated [7]".to_owned()));
-    // One that was stated before holds.
+    // A mode that was stated before holds.
     assert_eq!(
         broken(&good.replace("G38.2 Z-5 F60", "G38.2 Z-5")),
         Vec::<String>::new()
@@ -287,7 +287,7 @@ fn a_rule_names_the_lines_that_break_it() {
     );
 }
 
-/// What is handed over wrongly is said, all at once, and nothing runs.
+/// Invalid inputs are reported together, and nothing runs.
 #[test]
 fn what_is_known_is_checked() {
     let json = r##"{ "dialect": "apt", "set": { "#5": "x", "5": 1, "R1": 2 }, "start": [1, 2], "part": { "at": 2, "positioning": null }, "files": { "a": 5 }, "more": 1 }"##;
@@ -313,7 +313,7 @@ fn what_is_known_is_checked() {
     );
 }
 
-/// What moves the system under the stylus gives its position another number: the one that follows, or none.
+/// A change of the coordinate system under the stylus changes its coordinates to new numbers, or makes them unknown.
 #[test]
 fn a_position_is_one_of_the_active_system() {
     let last = |text: &str| {
@@ -342,7 +342,7 @@ fn a_position_is_one_of_the_active_system() {
         let text = format!("G21 G54 G90\nG0 X5\n{shift}\nG0 X7\nG0 Z#<_x>\n");
         assert!(last(&text).ends_with(" 7"), "{shift}");
     }
-    // Before the first move the start is one of the system that is active then.
+    // Before the first move the start is a position in the system that is active then.
     for header in ["G55", "G92.1", "G49", "G43 H1", "G10 L2 P1 Z5", "G52 X0"] {
         assert_eq!(
             last(&format!("G21 G90\n{header}\nG91 G0 Z4\n")),
@@ -352,7 +352,7 @@ fn a_position_is_one_of_the_active_system() {
     }
 }
 
-/// Random programs that move the coordinate system: every position is what LinuxCNC's interpreter makes of it, all offsets 0 before.
+/// Random programs that move the coordinate system: every position equals the interpreter's, with all offsets 0 before.
 #[test]
 fn positions_in_moved_systems_are_those_of_the_interpreter() {
     let mut state = 0x0BAD_5EEDu64;
@@ -400,7 +400,7 @@ fn positions_in_moved_systems_are_those_of_the_interpreter() {
         assert_eq!(run.len(), ran.moves.len(), "{text}");
         for (i, wanted) in ran.moves.iter().enumerate() {
             let own = places(&run)[i];
-            // Not all that a rotation does to shifts and writes is followed.
+            // Some effects of a rotation on shifts and writes are not followed.
             let near = (0..3).all(|axis| {
                 (own[axis] - wanted.to[axis]).abs() < 1e-3 || own[axis].is_nan() && turns
             });
@@ -417,7 +417,7 @@ fn positions_in_moved_systems_are_those_of_the_interpreter() {
     assert!(moves > 3000, "{moves}");
 }
 
-/// A program that is made here, run on the displaced part of its job: each touch triggers where the plan says that it does, and no positioning move does.
+/// A generated program, run on the displaced part of its job: each touch triggers where the plan predicts, and no positioning move does.
 #[test]
 fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
     let mut seen = 0;
@@ -452,14 +452,14 @@ fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
                 .iter()
                 .map(|contact| [contact[1], contact[2], contact[3]])
                 .collect();
-            // An alarm, where a result is implausible, comes after the last touch.
+            // An alarm for an implausible result comes after the last touch.
             assert_eq!(
                 touches.len(),
                 planned.run.triggers.len(),
                 "{name} {offset:?}: {:?}",
                 run.findings
             );
-            // A way that the plan holds to be free is free here.
+            // A move that is free in the plan is free here.
             if plan
                 .findings
                 .iter()
@@ -481,7 +481,7 @@ fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
     assert!(seen > 200, "{seen}");
 }
 
-/// Lines of every dialect, whole and broken.
+/// Lines of every dialect, valid and broken.
 const LINES: [&str; 74] = [
     "G21 G90",
     "G91",
@@ -562,7 +562,7 @@ const LINES: [&str; 74] = [
 proptest! {
     #![proptest_config(ProptestConfig { cases: 30, ..ProptestConfig::default() })]
 
-    /// Whatever a text says, a run comes back, the same each time, and no move is in a line that is not there.
+    /// A run ends for any text, with the same result each time, and every move is in an existing line.
     #[test]
     fn any_text_comes_back(
         picks in proptest::collection::vec(0..LINES.len(), 1..40),

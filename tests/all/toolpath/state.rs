@@ -1,7 +1,7 @@
-//! What stays from block to block, and what is left early.
+//! State that carries over from block to block, and early returns.
 
 use super::*;
-/// G53 alone only halts some controls: it was said to go to a place of the machine.
+/// G53 alone only stops look-ahead on some controls; it was reported as a move to a machine position.
 #[test]
 fn a_code_of_the_machines_system_without_places_goes_nowhere() {
     let codes = |text: &str| -> Vec<String> {
@@ -21,8 +21,8 @@ fn a_code_of_the_machines_system_without_places_goes_nowhere() {
     }
 }
 
-/// A program below `G21 G90 F100`, `G0 X10 Y0 Z20`: its last move ends where the interpreter's does, with its feed, but for what is not known (axes, and
-/// F for the feed), and this is said of it.
+/// A program below `G21 G90 F100`, `G0 X10 Y0 Z20`: its last move ends like the interpreter's, with its feed, except for unknown values (axes, and F for the
+/// feed), and has these findings.
 fn ends_as_interpreted(cases: &[(&str, &str, &[&str])]) {
     for (text, unknown, wanted) in cases {
         let text = format!("G21 G90 F100\nG0 X10 Y0 Z20\n{text}\nM2\n");
@@ -51,7 +51,7 @@ fn ends_as_interpreted(cases: &[(&str, &str, &[&str])]) {
     }
 }
 
-/// Places, modes and feeds of lines that are not followed were those of before.
+/// Positions, modes and feeds after unfollowed lines kept their earlier values.
 #[test]
 fn nothing_stale_stays_after_a_line_that_is_not_followed() {
     ends_as_interpreted(&[
@@ -73,7 +73,7 @@ fn nothing_stale_stays_after_a_line_that_is_not_followed() {
     ]);
 }
 
-/// The body of a subroutine was read as moves where its O words stood behind a number or a slash.
+/// The body of a subroutine was read as moves if its O words followed a number or a slash.
 #[test]
 fn an_o_word_may_stand_behind_a_number() {
     ends_as_interpreted(&[
@@ -89,7 +89,7 @@ fn an_o_word_may_stand_behind_a_number() {
     ]);
 }
 
-/// A longer or shorter tool is at another position: its position was read unchanged.
+/// A tool with another length is at another position, which was read unchanged.
 #[test]
 fn a_tools_length_changes_places() {
     let computed: &[&str] = &["places-computed"];
@@ -108,7 +108,7 @@ fn a_tools_length_changes_places() {
     ]);
 }
 
-/// M70 and M73 keep the modes, M72 gives them back.
+/// M70 and M73 save the modes, M72 restores them.
 #[test]
 fn modes_are_kept_and_given_back() {
     ends_as_interpreted(&[
@@ -123,7 +123,7 @@ fn modes_are_kept_and_given_back() {
     ]);
 }
 
-/// The feed of a block that goes nowhere was lost, and so was a place beside the time of a dwell.
+/// The feed of a block without motion was lost, and so was a position beside the time of a dwell.
 #[test]
 fn feeds_and_places_of_blocks_that_are_left_early_stay() {
     ends_as_interpreted(&[
@@ -137,7 +137,7 @@ fn feeds_and_places_of_blocks_that_are_left_early_stay() {
     ]);
 }
 
-/// P was no word of an arc: its whole turns were lost.
+/// P was not read in an arc: its full turns were lost.
 #[test]
 fn an_arc_turns_as_often_as_p_says() {
     for (arc, sweep) in [
@@ -164,7 +164,7 @@ fn an_arc_turns_as_often_as_p_says() {
             "{arc}"
         );
     }
-    // How often is not known, or is more than can be drawn.
+    // The number of turns is unknown, or too large to draw.
     for arc in ["G2 X-10 I-10 P#5", "G2 X-10 I-10 P1000000000"] {
         let path = read_program(&format!("G21 G90 F100\nG0 X10 Y0 Z0\n{arc}\n"), None);
         assert_eq!(
@@ -175,7 +175,7 @@ fn an_arc_turns_as_often_as_p_says() {
     }
 }
 
-/// What turns the system, and the radius of a tool, were unsaid; a diameter was a place.
+/// Rotations of the system and the tool radius were not reported; a diameter was read as a position.
 #[test]
 fn rotations_diameters_and_radii_are_not_passed_over() {
     ends_as_interpreted(&[
@@ -199,7 +199,7 @@ fn rotations_diameters_and_radii_are_not_passed_over() {
     }
 }
 
-/// A loop was read once, and what its body moves by a distance was said to be where one round leaves it.
+/// A loop was read once, and incremental moves in its body were reported as after one round.
 #[test]
 fn a_loop_leaves_its_incremental_moves_somewhere() {
     ends_as_interpreted(&[
@@ -268,7 +268,7 @@ fn a_loop_leaves_its_incremental_moves_somewhere() {
     }
 }
 
-/// With block skip on, an end with a slash is left out: the lines below it are drawn.
+/// With block skip on, an end with a slash is omitted: the lines below it are drawn.
 #[test]
 fn an_end_that_may_be_left_out_ends_nothing() {
     for end in ["/M30", "/M99", "/ M2"] {

@@ -1,4 +1,4 @@
-//! For any job and any part: what a machine would report gives what its points give.
+//! For any job and any part: a machine's reports give the results of its points.
 
 use crate::common::{law, point, with};
 use crate::tests::laws::whole_job;
@@ -14,8 +14,8 @@ fn report(place: Triple, inch: bool) -> (String, Triple) {
     (texts.join(","), read)
 }
 
-/// Random jobs on displaced parts, a random work offset, mm or inch: the log gives the results of the points that it reports, and after the block the
-/// measured datum reads its nominal.
+/// Random jobs on displaced parts, a random work offset, mm or inch: the log gives the results of its reported points, and after the block the measured datum
+/// reads its nominal value.
 #[test]
 fn a_log_gives_what_its_points_give() {
     let place = || proptest::array::uniform3(-300.0..300.0f64);
@@ -70,7 +70,7 @@ fn a_log_gives_what_its_points_give() {
                     return Err(TestCaseError::fail(format!("{log}\n{:#?}", error.findings)));
                 }
             };
-            // A circle of touches that lie on one place makes more of the last bits of a log.
+            // A circle of touches at one position amplifies the last bits of a log.
             let apart = |a: &Triple, b: &Triple| {
                 (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt() > 0.1
             };
@@ -95,7 +95,7 @@ fn a_log_gives_what_its_points_give() {
                 &[if inch_job { "G20" } else { "G21" }, "G10", "L20"]
             );
             prop_assert_eq!(words[3], format!("P{offset}"));
-            // The datum from the results: as far as the block moves the reading of the end, the measured place moves to its nominal one.
+            // The datum from the results: the measured position moves to its nominal one by the change of the displayed end position.
             let planned = planned(&job).unwrap();
             let datum = planned.path.formula.datum.unwrap();
             let end = predicted.moves.last().unwrap().to;
@@ -126,7 +126,7 @@ fn a_log_gives_what_its_points_give() {
                     continue;
                 };
                 let measured = found.results[at].value.unwrap();
-                // The machine is at end + WCO; G10 L20 makes the offset that place less `reads`; the datum is at measured + WCO.
+                // The machine is at end + WCO; G10 L20 sets the offset to that position minus `reads`; the datum is at measured + WCO.
                 let machine = end[axis] + wco[axis] / scale;
                 let new_offset = machine - reads;
                 let now = measured + wco[axis] / scale - new_offset;
@@ -143,7 +143,7 @@ fn a_log_gives_what_its_points_give() {
     assert!(blocks.get() > 30, "only {} blocks", blocks.get());
 }
 
-/// Printed results give rows with these values, as points would.
+/// Printed results give rows with these values, like points.
 #[test]
 fn printed_results_give_their_rows() {
     law(900, 80, (whole_job(), any::<bool>()), |(job, dprnt)| {
@@ -196,7 +196,7 @@ fn printed_results_give_their_rows() {
     });
 }
 
-/// Whatever lines of a log are lost or there twice: it is refused, or gives the same points and no other block.
+/// Any lines of a log may be lost or repeated: it is refused, or gives the same points and no other block.
 #[test]
 fn a_log_with_lines_lost_or_twice_is_refused_or_gives_the_same() {
     let pocket = super::pocket();
@@ -231,7 +231,7 @@ fn a_log_with_lines_lost_or_twice_is_refused_or_gives_the_same() {
     );
 }
 
-/// Touches are reported in the order of their moves: those of every job are made in their order, as texts with a point a line need it.
+/// Touches are reported in the order of their moves: those of every job are made in their order, as texts with a point per line require.
 #[test]
 fn touches_are_made_in_their_order() {
     for (name, job) in crate::common::jobs() {

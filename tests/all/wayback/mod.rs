@@ -1,4 +1,4 @@
-//! The way back: what machines print becomes results, and on grbl the block to type. Every number here is worked by hand.
+//! Print-outs of machines become results, and on grbl the block to type. Every number here is computed by hand.
 
 mod laws;
 mod printed;
@@ -20,7 +20,7 @@ fn measured(job: &Value, text: &str) -> Measurement {
         .unwrap_or_else(|error| panic!("{text}\n{:#?}", error.findings))
 }
 
-/// The codes of what is wrong.
+/// Codes of the errors.
 fn errors(job: &Value, text: &str) -> Vec<String> {
     let error = measure(job, &Value::Text(text.to_owned())).expect_err(text);
     error
@@ -71,7 +71,7 @@ fn is_the_pocket(measurement: &Measurement) {
     assert_eq!(measurement.points[1], Some([-36.9, 0.0, -10.0]));
 }
 
-/// As UGS shows it: what is sent behind `>>> `, answers and reports as they come.
+/// As UGS shows it: sent lines after `>>> `, answers and reports as they arrive.
 const UGS: &str = "\
 Grbl 1.1h ['$' for help]
 >>> $G
@@ -113,13 +113,13 @@ ok
 fn a_log_of_ugs_gives_results_and_the_block() {
     let found = measured(&pocket(), UGS);
     is_the_pocket(&found);
-    // The ball is at X0 Y0, and the measured centre at 0.1, 0.2 is to read 0: the ball then reads −0.1, −0.2.
+    // The ball is at X0 Y0, and the measured centre at 0.1, 0.2 must read 0: the ball then reads −0.1, −0.2.
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
     assert_eq!(codes(&found), ["converted", "block-to-type"]);
     assert_eq!(values(&found.findings[0]), ["5", "X-200 Y-150 Z-60", "mm"]);
 }
 
-/// What a control reports of the pocket's program: of each `G38.3` the place where it ends, and `:0`; the touches of [`PRB`].
+/// Reports of a control for the pocket's program: for each `G38.3` its end, and `:0`; the touches of [`PRB`].
 fn reports() -> Vec<(bool, String)> {
     let plan = planned(&pocket());
     let mut touches = PRB.iter();
@@ -158,7 +158,7 @@ fn log_of<'a>(reports: impl IntoIterator<Item = &'a str>) -> String {
     )
 }
 
-/// Each positioning move is reported, too: a miss there is none.
+/// Each positioning move is reported, too: a miss there is not a missed touch.
 #[test]
 fn the_reports_of_watched_positioning_are_no_touches() {
     let reports = reports();
@@ -172,7 +172,7 @@ fn the_reports_of_watched_positioning_are_no_touches() {
     );
     is_the_pocket(&found);
     assert_eq!(codes(&found), ["converted", "block-to-type"]);
-    // The last report is that of a touch that missed.
+    // The last report is that of a missed touch.
     for (k, (at, _)) in reports
         .iter()
         .enumerate()
@@ -197,7 +197,7 @@ fn the_reports_of_watched_positioning_are_no_touches() {
     }
 }
 
-/// A contact on the way to a touch is not taken for the touch.
+/// A contact in positioning does not count as the touch.
 #[test]
 fn a_contact_in_positioning_is_no_touch() {
     let reports = reports();
@@ -221,7 +221,7 @@ fn a_contact_in_positioning_is_no_touch() {
                 "{log}{codes:?}"
             );
         }
-        // A sender that keeps the contacts alone, and the alarm.
+        // A sender that logs only the contacts, and the alarm.
         let contacts = log_of(
             before()
                 .filter(|report| report.ends_with(":1]"))
@@ -234,7 +234,7 @@ fn a_contact_in_positioning_is_no_touch() {
     }
 }
 
-/// With $10=0 a control reports places of the work system: X0 Y0 Z30 is where the program ends. As a place of the machine it would be 250 mm away, and there
+/// With $10=0 a control reports positions of the work system: X0 Y0 Z30 is the end of the program. As a machine position it would be 250 mm away, and there
 /// would be no block.
 #[test]
 fn a_status_in_work_coordinates_says_where_the_ball_stands() {
@@ -321,14 +321,14 @@ fn the_answer_to_settings_says_the_work_offset() {
             "made of it, G92 and TLO"
         );
     }
-    // grblHAL gives three axes of TLO, and says the active offset in its status reports.
+    // grblHAL reports three axes of TLO, and the active offset in its status reports.
     let hal = answer.replace("[TLO:-10.000]", "[TLO:0.000,0.000,-10.000]\n[TLR:0.000]");
     let status = "<Idle|MPos:0.000,0.000,0.000|WCS:G55>";
     is_the_pocket(&measured(
         &pocket(),
         &format!("{status}\n{touches}\nok\n{hal}"),
     ));
-    // WCO alone says no number; with $# it does: only G55 makes it.
+    // WCO alone contains no number; with $# it does: only G55 matches it.
     let wco = "<Idle|MPos:0.000,0.000,0.000|WCO:-200.500,-150.000,-60.000>";
     let found = measured(&pocket(), &format!("{wco}\n{touches}\nok\n{answer}"));
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P2 X-0.1 Y-0.2"));
@@ -340,7 +340,7 @@ fn the_answer_to_settings_says_the_work_offset() {
     );
 }
 
-/// After its end a program's work offset is G54's again: P0 would then write G54, and `WCO` is that of G54.
+/// After its end a program's work offset is G54 again: P0 would then write G54, and `WCO` is that of G54.
 #[test]
 fn the_end_of_a_program_makes_g54_active() {
     let touches = PRB.join("\nok\n");
@@ -373,14 +373,14 @@ fn the_end_of_a_program_makes_g54_active() {
             .unwrap()
             .starts_with("G21 G10 L20 P2 ")
     );
-    // A program that ran before ours has ended in G54 as well, on grbl; others keep the offset: so it is asked.
+    // An earlier program has ended in G54 as well, on grbl; others keep the offset, so it must be entered.
     let before = "[GC:G0 G55 G17 G21 G90]\nM30\nok\n<Idle|MPos:0.000,0.000,0.000|WCO:-200.000,-150.000,-60.000>\n";
     let found = measured(&pocket(), &format!("{before}{touches}"));
     assert_eq!(
         (found.block, found.findings.last().unwrap().code.as_str()),
         (None, "no-block")
     );
-    // What the user then writes as the first line holds, a block of the log there does not.
+    // The first line of the user counts, a block in the log does not.
     assert!(
         measured(&pocket(), &format!("G55\n{before}{touches}"))
             .block
@@ -393,7 +393,7 @@ fn the_end_of_a_program_makes_g54_active() {
     );
 }
 
-/// What the block does on a control: G10 L20 sets the offset to the machine's place less the value, so the measured datum reads its nominal.
+/// Effect of the block on a control: G10 L20 sets the offset to the machine position minus the value, so the measured datum reads its nominal value.
 #[test]
 fn after_the_block_the_measured_place_reads_its_nominal() {
     let off = with(

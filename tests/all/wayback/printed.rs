@@ -34,7 +34,7 @@ fn printed_results_give_rows() {
             .collect(),
         plain.replace('\n', " "),
         format!("%\n{dprnt}%\n"),
-        // The program itself is in a log, and a result is there twice with one value.
+        // The program itself is in a log, and a result appears twice with one value.
         format!("(PRINT,center.x=#<center_x>)\n#<center_x>=[[#1+#2]/2]\n{plain}{plain}"),
     ];
     let expected = plan(&pocket()).unwrap().results;
@@ -49,7 +49,7 @@ fn printed_results_give_rows() {
             let row = found.results.iter().find(|row| row.code == *code).unwrap();
             near(row.value.unwrap(), *x);
             near(row.deviation.unwrap(), x - planned.nominal.unwrap());
-            // Both are of the nominal part: a centre between two touches of 0.001 scatters by 0.001/√2.
+            // Both are for the nominal part: a centre between two touches of 0.001 scatters by 0.001/√2.
             assert_eq!(
                 (row.uncertainty, row.truth),
                 (planned.uncertainty, None),
@@ -60,7 +60,7 @@ fn printed_results_give_rows() {
     }
 }
 
-/// What the programs themselves show: LinuxCNC's messages, a message of a SINUMERIK, its log, and DPRNT.
+/// Output of the programs themselves: LinuxCNC's messages, a message of a SINUMERIK, its log, and DPRNT.
 #[test]
 fn what_the_programs_show_is_read() {
     for form in [
@@ -76,7 +76,7 @@ fn what_the_programs_show_is_read() {
     }
 }
 
-/// The lines that Renishaw's macros print with `W`, blanks as they are or as `*`: kind and nominal value say which result it is. A line of another part is refused.
+/// Lines that Renishaw's macros print with `W`, with blanks or `*`: kind and nominal value identify the result. A line of another part is refused.
 #[test]
 fn the_lines_of_renishaws_macros_are_read() {
     let print = "COMPONENT NO 1   FEATURE NO 1\n\
@@ -97,7 +97,7 @@ fn the_lines_of_renishaws_macros_are_read() {
             near(value(&found, code).unwrap(), wanted);
         }
     }
-    // A centre and a width of one nominal value: the kind says which is meant.
+    // A centre and a width with one nominal value: the kind distinguishes them.
     let off = with(
         &pocket(),
         "cycle.origin",
@@ -123,7 +123,7 @@ fn the_lines_of_renishaws_macros_are_read() {
     );
 }
 
-/// A log as HEIDENHAIN's guide prints one: labels and values, on one line or on two. The job's own unit need not be that of the log.
+/// A log as printed in HEIDENHAIN's guide: labels and values, on one line or on two. The job's unit may differ from that of the log.
 #[test]
 fn the_log_of_heidenhains_cycles_is_read() {
     let bore = job(
@@ -163,7 +163,7 @@ fn the_log_of_heidenhains_cycles_is_read() {
         ),
         ["unclear-line"]
     );
-    // An actual value with a label that is not known, or without its nominal value, is not left out.
+    // An actual value with an unknown label, or without its nominal value, is not ignored.
     assert_eq!(
         errors(
             &bore,
@@ -175,7 +175,7 @@ fn the_log_of_heidenhains_cycles_is_read() {
         errors(&bore, &log.replace("Diameter: 12.0000\n", "")),
         ["unclear-line"]
     );
-    // What is no part of the log is read as it would be without one.
+    // Lines outside the log are read as usual.
     assert_eq!(
         errors(&bore, &format!("{log}diameter=12.5\n")),
         ["result-twice"]
@@ -184,14 +184,14 @@ fn the_log_of_heidenhains_cycles_is_read() {
         errors(&bore, &format!("{log}[PRB:1.000,2.000,3.000:1]\n")),
         ["mixed-forms"]
     );
-    // The same log in inch is of a bore that is 25 times larger.
+    // The same log in inch is for a bore that is 25 times larger.
     assert_eq!(
         errors(&bore, &log.replace("): 0", "): 1")),
         ["unclear-line"; 3]
     );
 }
 
-/// DPRNT puts the sign in front of the blanks, and no digit in front of the point.
+/// DPRNT prints the sign before the blanks, and no digit before the point.
 #[test]
 fn a_sign_stands_before_blanks() {
     let found = measured(
@@ -212,7 +212,7 @@ fn results_in_inch_are_in_inch() {
     let row = &found.results[2];
     assert_eq!((row.unit, row.value), ("inch", Some(3.15)));
     near(row.deviation.unwrap(), 3.15 - 80.0 / 25.4);
-    // Millimetres of the same part are far out of reach.
+    // Millimetres for the same part are far out of reach.
     assert_eq!(
         errors(
             &inch,
@@ -313,8 +313,8 @@ fn points_by_their_letters() {
     }
 }
 
-/// The output of LinuxCNC's interpreter as it comes: the output of the program is mixed with the calls. In it a touch runs to its end, 5 past the
-/// contact: the pocket is 10 wider.
+/// The raw output of LinuxCNC's interpreter: the program's output is mixed with the calls. There a touch runs to its end, 5 past the contact: the pocket is 10
+/// wider.
 #[test]
 fn what_linuxcnc_prints_is_read_as_it_comes() {
     let job = with(
@@ -331,7 +331,7 @@ fn what_linuxcnc_prints_is_read_as_it_comes() {
     assert!(found.findings.is_empty(), "{:?}", found.findings);
 }
 
-/// Codes are told apart however they are written.
+/// Codes differ in every spelling.
 #[test]
 fn no_two_results_of_a_job_have_one_name() {
     for (name, job) in crate::common::jobs() {

@@ -1,11 +1,11 @@
-//! What is missing, said twice or unclear is refused by its line, and nothing is guessed.
+//! Missing, repeated or ambiguous values are refused with their line, and nothing is guessed.
 
 use super::{PRB, UGS, codes, errors, is_the_pocket, measured, pocket, value};
 use crate::common::{values, with};
 use touchpath::form::Value;
 use touchpath::job::{measure, plan};
 
-/// With the offset that the touches were made in.
+/// With the offset in which the touches were made.
 fn log(touches: &[&str]) -> String {
     format!(
         "G54\nWCO:-200.000,-150.000,-60.000\n{}\n",
@@ -13,7 +13,7 @@ fn log(touches: &[&str]) -> String {
     )
 }
 
-/// Code and values of what a text is refused for.
+/// Code and values of the refusal of a text.
 fn refusal(text: &str) -> (String, Vec<String>) {
     let error = measure(&pocket(), &Value::Text(text.to_owned())).expect_err(text);
     let [only] = &error.findings[..] else {
@@ -26,7 +26,7 @@ fn refusal(text: &str) -> (String, Vec<String>) {
 fn without_a_work_offset_it_is_asked_for() {
     let touches = PRB.join("\n");
     assert_eq!(errors(&pocket(), &touches), ["work-offset-needed"]);
-    // The offset by its word needs its numbers, and the numbers need the word.
+    // An offset by its name needs its numbers, and the numbers need the name.
     assert_eq!(
         errors(&pocket(), &format!("G54\n{touches}")),
         ["work-offset-needed"]
@@ -36,7 +36,7 @@ fn without_a_work_offset_it_is_asked_for() {
         errors(&pocket(), &format!("{answer}{touches}")),
         ["work-offset-needed"]
     );
-    // Of G55, which was active, the answer says nothing.
+    // The answer has no G55, which was active.
     let (code, of) = refusal(&format!("G55\n[G54:-200.000,-150.000,-60.000]\n{touches}"));
     assert_eq!(
         (code.as_str(), of[0].as_str()),
@@ -66,7 +66,7 @@ fn two_work_offsets_are_not_mixed() {
         errors(&pocket(), &log(&[answer, a, b, c, d])),
         ["work-offset-unclear"]
     );
-    // What was before a change does not hold after it.
+    // Values from before a change do not hold after it.
     let stale = format!(
         "WCO:-200.000,-150.000,-60.000\n>>> G10 L20 P1 X0\nok\n{}",
         PRB.join("\n")
@@ -129,7 +129,7 @@ fn too_few_and_too_many_reports_are_counted() {
     };
     counted(&log(&[a, b, c]), &["3", "4"]);
     counted(&log(&[a, b, c, d, a]), &["5", "4"]);
-    // The repetition in $# is no touch, and the message says which line that is.
+    // The repetition in $# is no touch, and the message gives its line.
     counted(&log(&[a, b, c, "[TLO:0.000]", d, "ok"]), &["3", "4", "7"]);
     // A run that missed, and the next one.
     assert_eq!(
@@ -153,7 +153,7 @@ fn an_echo_counts_once_and_half_an_echo_is_refused() {
         .collect();
     let both: Vec<&str> = both.iter().map(String::as_str).collect();
     is_the_pocket(&measured(&pocket(), &log(&both)));
-    // One touch is there in two ways, and another is missing: counting lines would have taken the echo for the missing one.
+    // One touch appears in two ways, and another is missing: counting lines would have used the echo for the missing one.
     let half = [both[0], both[1], both[2], both[4]];
     assert_eq!(errors(&pocket(), &log(&half)), ["unclear-line"]);
 }
@@ -191,7 +191,7 @@ fn lines_that_could_be_measurements_are_refused() {
             "{line}"
         );
     }
-    // What is clearly no measurement is not.
+    // Lines that are clearly no measurements are ignored.
     for line in [
         "ok",
         "[MSG:Check limits]",
@@ -232,12 +232,12 @@ fn results_that_cannot_be_of_the_job_are_refused() {
         ["not-a-number", "not-a-number"]
     );
     assert_eq!(errors(&pocket(), "center.x=0.1 mm"), ["not-a-number"]);
-    // 120 from the nominal centre no touch reaches, and a value of another name is not taken for one that it ends with.
+    // 120 from the nominal centre no touch reaches, and a value with another name is not confused with one of the same ending.
     assert_eq!(errors(&pocket(), "center.x=120"), ["too-far"]);
     assert_eq!(errors(&pocket(), "old_center.x=0.1"), ["unknown-result"]);
 }
 
-/// The block is right only with the ball at the end of the path.
+/// The block is correct only with the ball at the end of the path.
 #[test]
 fn no_block_where_the_machine_may_have_moved() {
     for (line, why) in [
@@ -263,7 +263,7 @@ fn no_block_where_the_machine_may_have_moved() {
             last.message
         );
     }
-    // Nor where another control's program wrote the offset, or points were given without a log.
+    // Nor if another control's program wrote the offset, or if points were given without a log.
     let other = with(&pocket(), "control.post", Value::Text("linuxcnc".into()));
     assert_eq!(measured(&other, UGS).block, None);
     assert_eq!(
@@ -394,7 +394,7 @@ fn a_text_that_is_no_measurement_at_all_is_refused_in_words() {
     }
 }
 
-/// Every line is looked at once: none of these took longer than a moment, and some would take hours if a bracket were searched for its end.
+/// Each line is read once: these take a moment, and some would take hours if the end of a bracket were searched.
 #[test]
 fn long_lines_of_brackets_do_not_hang() {
     for part in [

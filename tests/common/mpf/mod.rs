@@ -1,8 +1,7 @@
-//! Reads SINUMERIK programs back, and shares nothing with the crate's own reader: a second opinion on the subset of the language that is
-//! written, and its structure.
+//! Reads SINUMERIK programs back, without code of the crate's reader: a second reading of the generated subset of the language and its structure.
 //!
-//! [`read`] gives blocks, or every line that is not of the subset. [`Program::troubles`] looks at what a control does not: that
-//! every protected move is checked, every jump has its label, and nothing moves unwatched. [`Program::moves`] gives the path.
+//! [`read`] returns blocks, or every line outside the subset. [`Program::troubles`] checks what a control does not check: every watched move has its check,
+//! every jump its label, and no move is unwatched. [`Program::moves`] returns the path.
 
 mod term;
 
@@ -15,7 +14,7 @@ const AXIS_NAMES: [&str; 3] = ["X", "Y", "Z"];
 /// Deepest nesting of brackets.
 const DEEPEST: usize = 40;
 
-/// The most operators of one expression: each makes the tree deeper by one.
+/// Maximum number of operators in an expression: each makes the tree one level deeper.
 const LONGEST: usize = 400;
 
 /// A line that is not understood, or not safe.
@@ -23,7 +22,7 @@ const LONGEST: usize = 400;
 pub struct Trouble {
     /// 1-based.
     pub line: usize,
-    /// What is wrong with it.
+    /// The error.
     pub message: String,
 }
 
@@ -34,9 +33,9 @@ pub struct Program {
     pub blocks: Vec<Block>,
     /// Its comments, without the semicolon.
     pub comments: Vec<String>,
-    /// Where it takes the ball to be before the start, where it says so.
+    /// The stated position of the ball before the start, if any.
     pub start: Option<[f64; 3]>,
-    /// Whether it says that positioning is not watched.
+    /// Whether the program states that positioning is not watched.
     pub unwatched: bool,
 }
 
@@ -45,11 +44,11 @@ pub struct Program {
 pub struct Block {
     /// 1-based line.
     pub line: usize,
-    /// What it says.
+    /// Its statement.
     pub statement: Statement,
 }
 
-/// What a block says.
+/// Statement of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// `DEF INT NAME`.
@@ -66,19 +65,18 @@ pub enum Statement {
     Motion(Motion),
     /// Words without a motion: `G17 G90`, `M30`, `STOPRE`.
     Words(Vec<String>),
-    /// `MSG(…)`, `SETAL(…)`, `CYCLE977(…)`; an argument may be left out.
+    /// `MSG(…)`, `SETAL(…)`, `CYCLE977(…)`; an argument may be omitted.
     Call(String, Vec<Option<Term>>),
 }
 
 /// A block with axis words.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// `MEAS=1`.
-    /// The probe input that it waits for, of a measuring one.
+    /// `MEAS=1`: probe input of a measuring move.
     pub measuring: Option<u8>,
-    /// `G0`: as fast as the control can.
+    /// `G0`: the control's rapid.
     pub rapid: bool,
-    /// X, Y, Z; of a sum its number.
+    /// X, Y, Z; for a sum its number.
     pub axes: [Option<f64>; 3],
     /// `X=10+R5`.
     pub sums: [Option<Term>; 3],
@@ -87,7 +85,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Where the axes are after it: those that it does not name stay.
+    /// Position after it: axes that it omits stay.
     fn after(&self, at: [Option<f64>; 3]) -> [Option<f64>; 3] {
         [0, 1, 2].map(|axis| self.axes[axis].or(at[axis]))
     }
@@ -114,14 +112,14 @@ pub enum Term {
     Binary(&'static str, Box<Term>, Box<Term>),
 }
 
-/// What a move is for, by how it is written.
+/// Purpose of a move, by its spelling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// Must not touch anything.
     Position,
     /// Must touch; searches to the end of its path.
     Touch,
-    /// Back from a touch.
+    /// Retract from a touch.
     Back,
 }
 
@@ -130,17 +128,17 @@ pub enum Purpose {
 pub struct Step {
     /// 1-based line.
     pub line: usize,
-    /// Its number as the program counts, where it says so.
+    /// Its number as the program counts, if stated.
     pub number: Option<usize>,
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
-    /// Where it ends; a touch at the end of its search.
+    /// Its end; for a touch the end of its search.
     pub to: [f64; 3],
     /// Feed.
     pub feed: f64,
 }
 
-/// Reads a program; where a line is not of the subset, every such line.
+/// Reads a program; returns every line outside the subset as an error.
 pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
     let mut program = Program::default();
     let mut troubles = Vec::new();
@@ -186,7 +184,7 @@ fn stated_start(comment: &str) -> Option<[f64; 3]> {
     Some([place[0]?, place[1]?, place[2]?])
 }
 
-/// The code of a line and its comment. A semicolon inside a text begins none.
+/// The code of a line and its comment. A semicolon inside a text starts no comment.
 fn split_comment(line: &str) -> (&str, Option<&str>) {
     let mut quoted = false;
     for (at, c) in line.char_indices() {
@@ -375,7 +373,7 @@ fn words(code: &str) -> Result<Statement, String> {
     }
 }
 
-/// The number that a sum begins with: the nominal place.
+/// First number of a sum: the nominal position.
 fn first_number(sum: &Term) -> Option<f64> {
     match sum {
         Term::Number(x) => Some(*x),
@@ -397,8 +395,8 @@ fn is_name(text: &str) -> bool {
 }
 
 impl Program {
-    /// What a control would not find, or only with the probe on the way: jumps without labels, protected moves without their
-    /// check, moves that are not watched, units and absolute mode that are not stated.
+    /// Errors that a control would not find, or only during probing: jumps without labels, watched moves without their check, unwatched moves, units and
+    /// absolute mode that are not stated.
     pub fn troubles(&self) -> Vec<Trouble> {
         let mut troubles = Vec::new();
         let mut say = |line: usize, message: &str| {
@@ -493,8 +491,7 @@ impl Program {
             .then_some(*operator == "==")
     }
 
-    /// The path, up to the end of the program. To its first place the ball may come in steps, axis by axis: they are one step here, with the
-    /// line of the last.
+    /// The path up to the end of the program. An approach in steps, axis by axis, is one step with the line of the last.
     pub fn moves(&self) -> Result<Vec<Step>, Trouble> {
         let mut at: [Option<f64>; 3] = self.start.map_or([None; 3], |start| start.map(Some));
         let (mut number, mut feed, mut steps) = (None, 0.0, Vec::<Step>::new());
@@ -515,7 +512,7 @@ impl Program {
                     let purpose = match (motion.measuring.is_some(), self.check_after(i)) {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,
-                        // After a touch it leads back; else it is a positioning move that is not watched.
+                        // After a touch it is a retract; otherwise it is an unwatched positioning move.
                         (false, _)
                             if self.unwatched
                                 && steps.last().is_none_or(|s| s.purpose != Purpose::Touch) =>

@@ -1,4 +1,4 @@
-//! Expressions: brackets, signs, functions, operators by how loosely they bind.
+//! Expressions: brackets, signs, functions, operators by binding strength.
 
 use super::*;
 
@@ -20,7 +20,7 @@ pub fn term(text: &str) -> Result<Term, String> {
     }
 }
 
-/// Operators by how loosely they bind.
+/// Operators by binding strength, the weakest first.
 const LEVELS: [&[&str]; 5] = [
     &["<<"],
     &["OR"],
