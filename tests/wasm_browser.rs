@@ -17,7 +17,7 @@ fn canvas() -> HtmlCanvasElement {
         .unchecked_into()
 }
 
-/// How many pixels differ from the first one.
+/// Number of pixels that differ from the first one.
 fn painted(canvas: &HtmlCanvasElement) -> u32 {
     let count = js_sys::Function::new_with_args(
         "canvas",

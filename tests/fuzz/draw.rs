@@ -1,6 +1,6 @@
 //! Random numbers: small, fast, the same on every machine.
 
-/// A stream of them (xorshift64*).
+/// A stream of random numbers (xorshift64*).
 pub struct Draw {
     state: u64,
 }
@@ -22,7 +22,7 @@ impl Draw {
         self.state.wrapping_mul(0x2545_f491_4f6c_dd1d)
     }
 
-    /// From 0 to 1, without 1.
+    /// From 0 to 1, excluding 1.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }

@@ -1,4 +1,4 @@
-//! Whole jobs, and the laws that each must hold.
+//! Whole jobs, and the laws that each must satisfy.
 
 use crate::common::{import, values};
 use touchpath::describe::{
@@ -16,7 +16,7 @@ fn text(text: &str) -> Value {
     Value::Text(text.to_owned())
 }
 
-/// Mostly what is usual; now and then an end of a range, something by it, or anything that is allowed.
+/// Mostly usual values; now and then an end of a range, a value near it, or any allowed value.
 fn number(draw: &mut Draw, field: &FieldEntry, scale: f64) -> f64 {
     let [min, max] = field.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
     let [low, high] = field.usual.unwrap_or([min.max(-300.0), max.min(300.0)]);
@@ -105,7 +105,7 @@ fn is_metric(field: &FieldEntry) -> bool {
 }
 
 fn form(draw: &mut Draw, fields: &[FieldEntry], scale: f64, least: usize) -> Vec<(String, Value)> {
-    // A job may leave out what it likes.
+    // A job may omit any field.
     let said: Vec<&FieldEntry> = fields.iter().filter(|_| !draw.once_in(least)).collect();
     said.into_iter()
         .map(|f| (f.key.to_owned(), value(draw, f, scale)))
@@ -117,7 +117,7 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
     entries.push((key.to_owned(), value));
 }
 
-/// A job; the index goes through every cycle, control, plane and unit. One in 40 has a stock, drawn by itself: all else is as it is without.
+/// A job; the index enumerates every cycle, control, plane and unit. One in 40 has a stock, drawn separately, so that the rest is the same as without.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     let mut own = Draw::new(index.wrapping_add(0x5107));
     match without_stock(catalog, draw, index) {
@@ -152,7 +152,7 @@ fn without_stock(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
         };
     }
     let job = without_tolerances(catalog, draw, index);
-    // Of native cycles few are planned.
+    // Few jobs of native cycles have a plan.
     let own = word(&job, &["control", "form"]) == "cycle";
     let often = if own {
         1
@@ -166,9 +166,9 @@ fn without_stock(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     }
 }
 
-/// A part that lies a little elsewhere, and cycles that go where the first two lead them: as random as leaves most of them possible.
+/// A slightly displaced part, and cycles that follow the first two: as random as leaves most of them possible.
 fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
-    // LinuxCNC twice as often: its own interpreter can run what fails.
+    // LinuxCNC twice as often: its own interpreter can run failing programs.
     let computing = catalog
         .posts
         .iter()
@@ -236,7 +236,7 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     ]);
     let mut at = origin(places[2]);
     let mut led = vec![("name", text("C3")), ("type", text(key))];
-    // By the middle between two holes, or by one; along the line through both, or along a side.
+    // At the midpoint between two holes, or at one; along the line through both, or along a side.
     let other = [
         places[0][0] - draw.between(80.0, 160.0),
         places[0][1] + draw.between(-60.0, 60.0),
@@ -366,7 +366,7 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     ])
 }
 
-/// The same job with relations between its cycles and tolerances of its results, some of them of what is not there.
+/// The job with relations between its cycles and tolerances of its results, some of them for results that do not exist.
 fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
     let related = match plan(&job) {
         Ok(plan) if !plan.cycles.is_empty() => related(draw, job, &plan, kinds),
@@ -383,7 +383,7 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
         .iter()
         .filter(|row| row.nominal.is_some() && !row.code.starts_with("offset."))
     {
-        // A program of calls that writes nothing may correct a tool by any size.
+        // A program of calls without a write may correct a tool from any size.
         let corrects = plan.program.own && plan.program.writes.is_empty();
         if !draw.once_in(if corrects { 2 } else { 3 }) {
             continue;
@@ -397,7 +397,7 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
         let size = ["diameter", "width", "distance"]
             .iter()
             .any(|code| row.code.starts_with(code));
-        // On the very end of a zone rounding decides: the nominal value is within or out of it.
+        // Exactly at the end of a zone rounding decides: the nominal value is inside or outside.
         let tolerance = match draw.index(6) {
             0 if size || draw.once_in(10) => "js9".to_owned(),
             1 => format!("+{off}/-{}", off / 2.0),
@@ -424,7 +424,7 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
     crate::common::with(&related, "tolerances", Value::Map(tolerances))
 }
 
-/// A tool that is corrected, now and then in a way that is refused.
+/// A tool that is corrected, now and then in a refused way.
 fn wear(draw: &mut Draw) -> Value {
     let mut entries = vec![("tool".to_owned(), Value::Number(draw.index(1001) as f64))];
     let mut maybe = |key: &str, value: f64, draw: &mut Draw| {
@@ -448,7 +448,7 @@ fn wear(draw: &mut Draw) -> Value {
     Value::Map(entries)
 }
 
-/// Relations of places and results that the cycles measure.
+/// Relations of positions and results that the cycles measure.
 fn related(draw: &mut Draw, job: Value, plan: &Plan, kinds: &[RelationEntry]) -> Value {
     let axis = |key: &str| {
         plan.datum
@@ -508,7 +508,7 @@ fn related(draw: &mut Draw, job: Value, plan: &Plan, kinds: &[RelationEntry]) ->
 }
 
 fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
-    // Each digit of the index in its own base: every cycle meets every control in every plane and unit.
+    // Each digit of the index in its own base: every cycle with every control, plane and unit.
     let mut left = index as usize;
     let mut at = |count: usize| {
         let digit = left % count;
@@ -558,11 +558,11 @@ fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
                     put(&mut values, "workOffset", Value::Null);
                 }
             }
-            // Of any size, a stylus meets most parts: mostly it is not known.
+            // A stylus of any size would collide in most jobs, so it is mostly unknown.
             "stylus" if !draw.once_in(4) => {
                 values.retain(|(key, _)| !matches!(key.as_str(), "length" | "shank" | "body"))
             }
-            // A tool whose length acts elsewhere is refused: rarely so.
+            // A tool with another effective axis is refused, so it is rare.
             "tool" if !draw.once_in(20) => continue,
             "part" => {
                 let far = if draw.once_in(4) {
@@ -622,7 +622,7 @@ fn cycle(draw: &mut Draw, def: &CycleEntry, scale: f64) -> Value {
     Value::Map(cycle)
 }
 
-/// The job with more cycles behind its own, mostly far enough from each other.
+/// The job with further cycles after its own, mostly far enough from each other.
 fn set_up(
     draw: &mut Draw,
     catalog: &Catalog,
@@ -693,7 +693,7 @@ fn set_up(
     Value::Map(job)
 }
 
-/// Turns some cycles as earlier ones find something, or has them as large.
+/// Lets some cycles follow the rotation or size of earlier ones.
 fn follow_more(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value], scale: f64) {
     let number = |cycle: &Value, key: &str| match cycle.get(key) {
         Some(Value::Number(x)) => Some(*x),
@@ -752,7 +752,7 @@ fn follow_more(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Va
     }
 }
 
-/// Puts some cycles where earlier ones find something: mostly along the same axis, and as far beside it as they stood.
+/// Lets some cycles follow the position of earlier ones: mostly along the same axis, at their former distance.
 fn follow(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value], scale: f64) {
     let plane = job
         .iter()
@@ -802,7 +802,7 @@ fn follow(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value],
     }
 }
 
-/// The same job with its touches picked one by one, as they are or a little off.
+/// The job with its touches picked one by one, unchanged or slightly off.
 fn picked(draw: &mut Draw, job: Value) -> Value {
     let Ok(plan) = plan(&job) else { return job };
     let off = if draw.once_in(2) {
@@ -838,7 +838,7 @@ fn word(job: &Value, path: &[&str]) -> String {
     }
 }
 
-/// Everything a job must hold.
+/// All laws of a job.
 pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), String> {
     let mut asked = |name: &str| *tally.entry(name.to_owned()).or_insert(0) += 1;
     let plan = match plan(job) {
@@ -938,7 +938,7 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         asked("dump and job");
         dumped(&plan, draw)?;
     }
-    // Touches that nothing is computed from, in front of limits of another cycle: whether they must meet something cannot be read from such a program.
+    // Touches without a result, before limits of another cycle: such a program does not show whether they must have a contact.
     let idle_touches =
         !plan.cycles.is_empty() && plan.findings.iter().any(|f| f.code == "no-circle");
     if plan.program.post == "sinumerik" && !idle_touches && draw.once_in(4) {
@@ -958,8 +958,8 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     Ok(())
 }
 
-/// Whether a job has a dimension at the least that is allowed: the directions of walls through touches a micrometre apart are rounding, and such a program
-/// may be refused.
+/// Whether a job has a dimension at its lower bound: the directions of walls through touches a micrometre apart are rounding noise, and such a program may be
+/// refused.
 fn has_tiny(job: &Value) -> bool {
     fn tiny(value: &Value) -> bool {
         match value {
@@ -975,7 +975,7 @@ fn has_tiny(job: &Value) -> bool {
         .any(tiny)
 }
 
-/// In the other units the same part: where rounding lets it be planned at all, with the same moves.
+/// The same part in the other units: with the same moves, if rounding permits a plan at all.
 fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
     let (to, factor) = if word(job, &["units"]) == "inch" {
         ("mm", 25.4)
@@ -983,7 +983,7 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
         ("inch", 1.0 / 25.4)
     };
     let converted = convert_units(job, to).map_err(|e| e.to_string())?;
-    // Six decimals of an inch may lie beyond a limit.
+    // Six decimals of an inch may exceed a limit.
     let Ok(there) = plan(&converted) else {
         return Ok(());
     };
@@ -992,7 +992,7 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
     }
     let spread = magnified(here);
     for (a, b) in here.moves.iter().zip(&there.moves) {
-        // A place is a sum of some values, each rounded, and turned by an angle over its distance.
+        // A position is a sum of some rounded values, rotated by an angle over its distance.
         let far = a.to.iter().fold(1.0f64, |most, x| most.max(x.abs()));
         let near = if to == "inch" { 1e-3 / 25.4 } else { 5e-3 } * (1.0 + far / 1000.0) * spread;
         if (0..3).any(|i| (a.to[i] * factor - b.to[i]).abs() > near) || a.kind != b.kind {
@@ -1002,7 +1002,7 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
     Ok(())
 }
 
-/// How much a circle through the touches magnifies their rounding: 1 / (1 − cos) of half the angle that they span.
+/// Factor by which a circle through the touches magnifies their rounding: 1 / (1 − cos) of half the angle that they span.
 fn magnified(plan: &Plan) -> f64 {
     let vectors = || plan.touches.iter().map(|t| t.vector);
     let cosine =
@@ -1023,7 +1023,7 @@ fn dumped(plan: &Plan, draw: &mut Draw) -> Result<(), String> {
     let dump =
         export_table(plan, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?;
     let imported = import(&dump).map_err(|e| format!("dump refused: {e}\n{dump}"))?;
-    // The dump says no units: its numbers are read as mm, and the ball, the feeds and the overtravel are the defaults.
+    // The dump has no units: its numbers are read as mm, and the ball, the feeds and the overtravel are the defaults.
     if plan.results.iter().any(|r| r.unit == "inch")
         || plan.findings.iter().any(|f| f.code == "result-untrue")
     {
@@ -1041,7 +1041,7 @@ fn dumped(plan: &Plan, draw: &mut Draw) -> Result<(), String> {
     }
 }
 
-/// Findings that another ball or overtravel than the job's brings.
+/// Findings that may differ with another ball or overtravel.
 fn depends_on_the_ball(code: &str) -> bool {
     matches!(
         code,
@@ -1057,10 +1057,10 @@ fn depends_on_the_ball(code: &str) -> bool {
     )
 }
 
-/// A program for SINUMERIK says its job: read back it is the same program.
+/// A program for SINUMERIK contains its job: read back it is the same program.
 fn read_back(plan: &Plan) -> Result<(), String> {
     let imported = import(&plan.program.text).map_err(|e| format!("{e}\n{}", plan.program.text))?;
-    // The header does not say how the part lies: what is free on a displaced part may not be on the nominal one.
+    // The header does not contain the virtual part: a path that is free on a displaced part may not be free on the nominal one.
     if check(&imported.job).iter().any(|f| f.code == "collision") {
         return Ok(());
     }

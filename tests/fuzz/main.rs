@@ -1,8 +1,8 @@
-//! The laws as a fuzzer: whole jobs over every cycle, control, plane and unit, and mutated dumps, programs and measured points for every
-//! reader. A job that breaks a law is kept as a file, in `target/fuzz/`, and named.
+//! The laws as a fuzzer: whole jobs over every cycle, control, plane and unit, and mutated dumps, programs and measured points for every reader. A job that
+//! breaks a law is stored in `target/fuzz/` and reported.
 //!
-//! `FUZZ_JOBS` says how many jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` where the fresh ones of them begin.
-//! `npm run fuzz` runs until it is stopped.
+//! `FUZZ_JOBS` sets the number of jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` the start of the fresh ones. `npm run fuzz` runs until it is
+//! stopped.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -18,16 +18,16 @@ use std::time::{Instant, SystemTime, UNIX_EPOCH};
 use draw::Draw;
 use touchpath::form::Value;
 
-/// The seed that is run every time.
+/// Seed of every run.
 const FIXED: u64 = 20_261_121;
 
-/// How many jobs a run of this seed takes.
+/// Number of jobs for this seed.
 struct Share {
     seed: u64,
     jobs: u64,
 }
 
-/// How often each law was asked.
+/// Number of times that each law was tested.
 type Tally = BTreeMap<String, u64>;
 
 fn main() {
@@ -54,7 +54,7 @@ fn main() {
         jobs: count / 4,
     };
     let (mut tally, known) = run(&fixed);
-    // Whether a law is asked often enough is decided by the jobs that are the same in every run: no run fails by its draw alone.
+    // The jobs that are the same in every run decide whether a law is tested often enough, so no run fails by chance.
     let idle = idle(&tally, fixed.jobs);
     let (drawn, new) = run(&Share {
         seed: fresh,
@@ -83,7 +83,7 @@ fn add(tally: &mut Tally, more: Tally) {
     }
 }
 
-/// Laws and kinds of jobs that were reached by too few of a number of jobs.
+/// Laws and kinds of jobs that too few jobs reached.
 fn idle(tally: &Tally, count: u64) -> Vec<String> {
     let least = count / 2000;
     let catalog = touchpath::describe::catalog();
@@ -120,7 +120,7 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         .collect()
 }
 
-/// Runs a share of the jobs on every core; gives how often each law was asked and the number of failures.
+/// Runs a share of the jobs on every core; returns the number of tests of each law and the number of failures.
 fn run(share: &Share) -> (Tally, usize) {
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get()) as u64;
     let (tally, failures) = (Mutex::new(Tally::new()), Mutex::new(0usize));
@@ -167,7 +167,7 @@ fn message(panic: &(dyn std::any::Any + Send)) -> String {
         .unwrap_or_else(|| "no message".to_owned())
 }
 
-/// Writes a job that broke a law where it can be run again.
+/// Writes a job that broke a law to a file, so that it can be run again.
 fn keep(job: &Value, seed: u64, index: u64) -> String {
     let folder = std::env::var("CARGO_TARGET_DIR")
         .unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));

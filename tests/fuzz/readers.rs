@@ -1,4 +1,4 @@
-//! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
+//! Mutated texts for every reader: none may cause a panic, a hang, or a job that breaks a law.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -12,7 +12,7 @@ use touchpath::job::{Plan, evaluate, plan, reads_same_with_cache};
 
 use crate::draw::Draw;
 
-/// The programs of `tests/programs`, in the order of their names.
+/// The programs of `tests/programs`, in alphabetical order.
 static PROGRAMS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let entries = std::fs::read_dir(folder).expect("tests/programs");
@@ -27,7 +27,7 @@ static PROGRAMS: LazyLock<Vec<String>> = LazyLock::new(|| {
         .collect()
 });
 
-/// A text with some of it changed, left out, said twice, or put elsewhere.
+/// A text with parts changed, removed, repeated, or moved.
 fn mutate(draw: &mut Draw, text: &str) -> String {
     const INSERTS: [&str; 14] = [
         "-",
@@ -70,8 +70,7 @@ fn mutate(draw: &mut Draw, text: &str) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// The lines that a strict reader remembers change nothing of what it reads: not the program that was made, and not the same with some of it changed.
-/// One reader in four is that of another control.
+/// The cached lines of a strict reader change no result: neither for a generated program nor for a mutated one. One reader in four is that of another control.
 pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     static READERS: LazyLock<Vec<&str>> = LazyLock::new(|| {
         let takes_moves = |post: &&PostEntry| {
@@ -102,7 +101,7 @@ pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     Ok(())
 }
 
-/// What a reader makes of a mutated program, made here or by other hands, or of a mutated dump is a job that is refused, or one whose touches are all in its path.
+/// A mutated program, generated or foreign, or a mutated dump makes a job that is refused, or one whose touches are all in its path.
 pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     let source = match draw.index(3) {
         0 => export_table(made, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?,
@@ -165,9 +164,9 @@ fn nearest(points: &[[f64; 3]]) -> f64 {
     pairs.fold(f64::INFINITY, f64::min)
 }
 
-/// Predicted triggers, as text in every form, evaluate to the predicted results; mutated, they are refused or evaluated.
+/// Predicted triggers, as text in every format, evaluate to the predicted results; mutated, they are refused or evaluated.
 pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String> {
-    // A touch that meets another wall or an edge may make two walls parallel: their corner is then noise.
+    // A touch that contacts another wall or an edge may make two walls parallel: their corner is then noise.
     if plan
         .findings
         .iter()
@@ -178,7 +177,7 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
     let Some(triggers) = plan.triggers.iter().copied().collect::<Option<Vec<_>>>() else {
         return Ok(());
     };
-    // A cycle that meets the last wall where its touch begins stops with an alarm: triggers, and no results.
+    // A cycle that touches the last wall at the start of a touch stops with an alarm: triggers, but no results.
     if plan
         .findings
         .iter()
@@ -198,15 +197,15 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
         .map(|p| p.map(|x| format!("{x}")).join(separator))
         .collect();
     let text = lines.join("\n");
-    // A part that lies far off can trigger before the approach is done: such points are refused.
+    // A part far off can trigger during the approach: such points are refused.
     if let Ok(rows) = evaluate(job, &Value::Text(text.clone())) {
-        // The direction of a wall through touches a thousandth apart has the last decimals of the triggers in it.
+        // The direction of a wall through touches a thousandth apart depends on the last decimals of the triggers.
         let noise = 1e-9 / nearest(&triggers).max(1e-9);
         let far = triggers
             .iter()
             .flatten()
             .fold(0.0, |far: f64, x| far.max(x.abs()));
-        // A verdict hangs on values that the last decimals of the triggers may have moved over their limit.
+        // A verdict may change if the last decimals of the triggers move a value over its limit.
         let judged = plan
             .results
             .iter()
@@ -220,8 +219,7 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
                 _ if shown.unit.is_empty() && moved > 2e-8 => {
                     shown.value.is_some() == read.value.is_some()
                 }
-                // The root of what is left where sums of squares cancel.
-                // A difference or a mean may be of such.
+                // The root of a cancelled difference of sums of squares. A difference or a mean may depend on such a value.
                 (Some(a), Some(b))
                     if ["residual", "difference", "mean"]
                         .iter()

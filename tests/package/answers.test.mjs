@@ -1,4 +1,4 @@
-// The schema of what comes out: every answer is as it says, and nothing is in an answer that it does not name.
+// The schema of the answers: every answer satisfies it, and no answer has other keys.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
@@ -43,7 +43,7 @@ const validator = (/** @type {any} */ schema) =>
 const open = validator(answers);
 const strict = validator(closed(answers));
 
-/** Holds a value against a definition; as JSON, as it goes over a wire. */
+/** Checks a value against a definition; as JSON, as it is transmitted. */
 function is(
   /** @type {string} */ name,
   /** @type {unknown} */ value,
@@ -146,7 +146,7 @@ test("the other answers, and the lines of the command", () => {
     `${JSON.stringify(own)}\n{}\n`,
   ))
     assert.equal(is("PlanLine", line), null);
-  // A finding of a file says line and column besides.
+  // A finding in a file also has line and column.
   for (const line of lines(["plan", name, "-o", "out", "--json"]))
     assert.equal(is("FileLine", line, open), null);
   for (const line of lines(["check", name, "--json"]))
@@ -213,7 +213,7 @@ test("the types for Python are those of the schema", () => {
   );
 });
 
-/** Holds a value against a type, key by key, and says the first difference. */
+/** Checks a value against a type, key by key, and reports the first difference. */
 const HOLDS = `
 import json, sys, types
 from typing import Literal, NotRequired, Union, get_args, get_origin, get_type_hints, is_typeddict
@@ -260,7 +260,7 @@ test("what comes out is what Python's types say", {
       ),
     ],
     ["Finding", hole.findings[0]],
-    // A key that is not there, a word that is none.
+    // A missing key, an invalid word.
     ["Plan", { ...hole, moves: undefined }],
     ["Plan", { ...hole, moves: [{ ...hole.moves[0], kind: "jump" }] }],
   ];
@@ -352,7 +352,7 @@ test("the types for C# are those of the schema", () => {
   );
 });
 
-/** Reads each value as its type, where a key that is not known is an error, and writes it again. */
+/** Reads each value as its type, with an error for an unknown key, and writes it again. */
 const AGAIN = `
 using System; using Newtonsoft.Json; using Newtonsoft.Json.Linq; using Newtonsoft.Json.Serialization;
 static class Again {

@@ -1,4 +1,4 @@
-// The border between JavaScript and the module: an exception that passes through it breaks an instance, never the package.
+// Between JavaScript and the module: an exception that passes through breaks an instance, never the package.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as touchpath from "touchpath";
@@ -59,7 +59,7 @@ test("a call at the very end of the stack broke the module", () => {
     try {
       deep();
     } catch {
-      // Here the stack is all but used up: each call on the way back has a little more of it.
+      // Here the stack is almost exhausted: each call on the way back has a little more of it.
       const found = check(job);
       if (found.some((f) => f.level === "error")) failed++;
       try {

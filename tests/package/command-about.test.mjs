@@ -1,4 +1,4 @@
-// The command's answers: what a code means, a new job, tool lengths, other units, help for one command; and how a pipe ends.
+// Commands without jobs: the meaning of a code, a new job, tool lengths, other units, help for one command; and the end of a pipe.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -74,7 +74,7 @@ test("new gives a job that plans, for the control that is named", () => {
     run(["new", "grove"]).stderr,
     /There is no cycle grove .+\. Did you mean groove\?/,
   );
-  // In the form that the control has; one that it does not have is refused with its reason.
+  // In a form that the control supports; another form is refused with its reason.
   for (const { id, cycles } of touchpath.catalog().posts) {
     const { status, stdout } = run(["new", "hole", "--post", id]);
     assert.equal(status, 0, id);
@@ -195,7 +195,7 @@ test("--deny-warnings: a warning ends as an error does, and files are written al
     readFileSync(join(folder, "denied", "PROBE.ngc"), "utf8"),
     /G38/,
   );
-  // The same of a program whose header is not all understood, in either format.
+  // The same for a program whose header is only partly understood, in both formats.
   const program = touchpath
     .program(job("hole"))
     .text.replace("(job format=1", "(job format=1 nothing=1");
@@ -266,7 +266,7 @@ test("a shell completes commands, options, what stands behind them, and files", 
   assert.deepEqual(offered("examine", "--format", "s"), ["sarif"]);
   assert.deepEqual(offered("new", "hol"), ["hole", "hole-protected"]);
   assert.deepEqual(offered("explain", "ball-to"), ["ball-too-wide"]);
-  // Of nothing else bash completes files itself.
+  // Bash completes nothing else with files.
   assert.deepEqual(offered("plan", "command-ab"), [""]);
   assert.match(script, /^complete -o default -F _touchpath touchpath$/m);
   assert.match(run(["completion", "powershell"]).stderr, /bash, zsh, fish/);

@@ -7,7 +7,7 @@ import { file, folder, run, setUp, touchpath, wrong } from "./command.mjs";
 
 setUp();
 
-/** A job of two cycles as a person writes it: what is wrong is in lines 5, 6, 9 and 11. */
+/** A handwritten job of two cycles, with errors in lines 5, 6, 9 and 11. */
 const WRITTEN = `{
   "format": 2,
   "name": "VISE \\"A\\"", "units": "mm",

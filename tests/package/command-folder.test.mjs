@@ -1,4 +1,4 @@
-// The command with many files into a folder: names and places, and what stood there stays whole.
+// The command with many files into a folder: names and positions; existing files stay intact.
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
@@ -82,7 +82,7 @@ test("many files into a folder: patterns, folders as those of the jobs, names by
     run(["plan", "many/e.json", "-o", "warned", "--post", "fanuc"]).stdout,
     /\(fanuc, sha256 .*\), 1 warning\n$/,
   );
-  // The same as JSON: with all findings, and nothing beside it.
+  // The same as JSON: with all findings and nothing else.
   const json = run([
     "plan",
     "many/**/*.json",
@@ -149,7 +149,7 @@ test("two jobs of one file were renamed without a word: they are refused before 
     "touchpath: clash/a.json and clash/b.json would both be clash/one.ngc: nothing was written\n",
   );
   assert.ok(!readdirSync(folder).includes("never"), "no folder is left behind");
-  // In folders of their own they are two files; in one folder they are not.
+  // In separate folders they are two files; in one folder they conflict.
   const apart = ["plan", "clash/c.json", "clash/below/d.json", "-o", "apart"];
   assert.equal(run(apart).status, 0);
   const before = tree("apart");
@@ -162,7 +162,7 @@ test("two jobs of one file were renamed without a word: they are refused before 
   assert.equal(flat.status, 2);
   assert.match(flat.stderr, /would both be OTHER\.ngc: nothing was written\n$/);
   assert.deepEqual(tree("apart"), { ...before, "OTHER.ngc": "good" });
-  // All at once, in few words.
+  // All together, in a short message.
   file(
     "clash/many.ndjson",
     Array.from({ length: 9 }, () => JSON.stringify(job("hole"))).join("\n"),
@@ -172,7 +172,7 @@ test("two jobs of one file were renamed without a word: they are refused before 
     lines.stderr,
     /many\.ndjson:1 and clash\/many\.ndjson:2 would both be .*; and 3 more: nothing was written\n$/,
   );
-  // A folder has the name of a file to be written.
+  // A folder has the name of an output file.
   mkdirSync(join(folder, "blocked", "clash", "ONE.ngc"), { recursive: true });
   const blocked = run([
     "plan",
@@ -237,7 +237,7 @@ test("a run that was killed left half a program in the place of a good one: file
     );
     assert.equal(aside().length, signal === "SIGKILL" ? 1 : 0, signal);
   }
-  // What a kill has left is removed by a run of another day.
+  // A run on another day removes the leftovers of a kill.
   const [left = ""] = readdirSync(join(folder, "kept")).filter((name) =>
     name.startsWith("."),
   );
@@ -254,7 +254,7 @@ test("a run that was killed left half a program in the place of a good one: file
 });
 
 test("a full disk leaves every file as it was, and says so in one line", () => {
-  // No file may be longer than a kilobyte or so.
+  // No file may be longer than about a kilobyte.
   mkdirSync(join(folder, "full"));
   writeFileSync(join(folder, "full", "BIG.ngc"), "good");
   file("big.json", job("hole", "BIG"));
@@ -361,7 +361,7 @@ test("a list of the programs: what is missing, changed, strange, or of another j
     control: "linuxcnc",
     job: { file: "../shop/a.json", line: null, sha256: sha("shop/a.json") },
   });
-  // The same jobs make the same list, also from a file of jobs.
+  // The same jobs make the same manifest, also from a file of jobs.
   assert.equal(run(args.filter((arg) => arg !== "shop/*.json")).status, 0);
   assert.deepEqual(
     list().files.map((/** @type {any} */ one) => [
@@ -385,7 +385,7 @@ test("a list of the programs: what is missing, changed, strange, or of another j
     [good.status, good.stdout.trimEnd().split("\n").length],
     [0, 4],
   );
-  // Each is one of what may happen to a folder.
+  // Each is a possible change of a folder.
   writeFileSync(
     join(folder, "made/shop/A.ngc"),
     `${readFileSync(join(folder, "made/shop/A.ngc"), "utf8")}\n`,

@@ -1,4 +1,4 @@
-// The command with jobs by the line: in order over threads, as they come, in little memory, to a reader or a terminal.
+// The command with jobs by the line: in order over threads, as a stream, in little memory, to a reader or a terminal.
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
@@ -86,7 +86,7 @@ test("a reader that does not read holds the command up, and one that leaves ends
   let taken = 0;
   let blocked = 0;
   child.stdin.on("error", () => undefined);
-  // As much as it takes while its output is not read.
+  // As much as it accepts while its output is not read.
   for (let i = 0; i < 400 && blocked < 20; i++) {
     if (child.stdin.write(line)) {
       taken += line.length;
@@ -172,7 +172,7 @@ test("on a terminal it says how far it is; in a pipe nothing of it is seen", () 
 });
 
 test("what cannot be read ends the run after what came before it was handed out, over any number of threads", () => {
-  // A file that can be opened, and fails when it is read.
+  // A file that can be opened but not read.
   symlinkSync("/proc/self/mem", join(folder, "broken.ndjson"));
   file(
     "ten.ndjson",

@@ -1,4 +1,4 @@
-// What the command's tests share: a folder of their own, jobs in it, and a shell that runs `touchpath` there.
+// Shared by the command's tests: a folder, jobs in it, and a shell that runs `touchpath` there.
 
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -12,7 +12,7 @@ export let folder;
 /** @type {typeof import("../../www/core/node.ts")} */
 export let touchpath;
 
-/** A folder for the tests of a file, and the package that the command is held against. */
+/** A folder for the tests of a file, and the package to compare the command with. */
 export function setUp() {
   before(async () => {
     folder = mkdtempSync(join(tmpdir(), "touchpath-command-"));
@@ -32,7 +32,7 @@ export const run = (/** @type {string[]} */ args, input = "") => {
   });
   return { status, stdout, stderr };
 };
-/** Writes a file into the folder; gives its name. */
+/** Writes a file into the folder; returns its name. */
 export const file = (
   /** @type {string} */ name,
   /** @type {unknown} */ content,

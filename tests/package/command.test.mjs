@@ -1,4 +1,4 @@
-// The command `touchpath`, as a shell runs it: what it writes, where, and how it ends.
+// The command `touchpath` in a shell: its outputs, their place, and its exit codes.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readdirSync } from "node:fs";

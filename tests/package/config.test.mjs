@@ -1,4 +1,4 @@
-// A portal's config: the functions, the schema, the command. What its rules refuse is tested in tests/all/config.rs.
+// A portal's config: functions, schema, command. tests/all/config.rs tests its refusals.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -95,7 +95,7 @@ test("the functions plan a job under a config, and say everything at once", () =
     ["haas", null, "haas"],
   );
   assert.deepEqual(codes(outcomes[1]?.findings ?? []), expected);
-  // Without a config nothing is filled in and nothing refused.
+  // Without a config nothing is filled in or refused.
   assert.equal(touchpath.plan(HOLE).program.post, "linuxcnc");
 });
 
@@ -184,7 +184,7 @@ test("a wrong config is refused by every function that takes one, and by the sch
     );
     assert.deepEqual(touchpath.check(HOLE, config), faults, path);
   }
-  // What only the check knows: what a value means at its place.
+  // Only the check covers the meaning of a value at its path.
   for (const fields of [
     { "feeds.wrk": {} },
     { "feeds.work": { value: 0 } },
@@ -362,7 +362,7 @@ test("the example of the docs works", () => {
   const refused = touchpath
     .check(near, config)
     .filter(({ code }) => code === "keep-out");
-  // The zone is named behind the move.
+  // The zone follows the move in the message.
   assert.deepEqual(
     refused.map(({ path, said }) => [path, said[2]]),
     [["cycle", "vise jaw"]],

@@ -1,4 +1,4 @@
-// What is in the package, and in the crate: what is needed, with its licences, and nothing else.
+// Contents of the package and the crate: required files with their licences, and nothing else.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
@@ -81,7 +81,7 @@ test("the package had no licence text", () => {
         relative(cwd, join(entry.parentPath, entry.name)).replaceAll("\\", "/"),
       );
   const manual = [...all("docs"), ...all("examples")];
-  // Nothing in it leads out of the package.
+  // No link leads out of the package.
   for (const page of manual.filter((name) => name.endsWith(".md"))) {
     const links = readFileSync(join(cwd, page), "utf8").matchAll(
       /\]\((?!https?:|#)([^)\s#]+)/g,

@@ -1,4 +1,4 @@
-// What JavaScript can hand over and JSON cannot say: found, never thrown, never endless. And plans, which are plain objects to every reader.
+// Values that JavaScript can pass and JSON cannot express: found, never thrown, never endless. And plans, which are plain objects for every reader.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -32,7 +32,7 @@ test("what JSON cannot say is found", () => {
     change(job);
     return codes(job);
   };
-  /** What the job says as it is. */
+  /** Findings of the unchanged job. */
   const said = codes(pocket());
   assert.deepEqual(said, ["stylus-not-known stylus.length"]);
   const feeds =
@@ -86,7 +86,7 @@ test("what JSON cannot say is found", () => {
     }),
     ["wrong-type cycle.origin"],
   );
-  // undefined is a key that is not there, never null: a feed does not become rapid.
+  // undefined is a missing key, never null: a feed does not become rapid.
   assert.deepEqual(
     broken((job) => {
       job.feeds.approach = undefined;
@@ -184,7 +184,7 @@ test("texts count in what a job can hold, and halves of characters stay where th
   const keys = {};
   for (let i = 0; i < 3000; i++) keys["k".repeat(1000) + i] = 1;
   assert.ok(codes(keys).length > 0);
-  // A lone half at the end of one text, and the other at the beginning of the next.
+  // A lone surrogate at the end of one text, and the other half at the start of the next.
   const job = {
     format: 1,
     name: "A\ud83d",
@@ -208,7 +208,7 @@ test("texts count in what a job can hold, and halves of characters stay where th
   ]);
 });
 
-/** A text of so many levels around a value. */
+/** Text with this nesting depth around a value. */
 const nested = (
   /** @type {number} */ levels,
   inner = "1",
@@ -295,7 +295,7 @@ test("a plan is a plain object: to clone, spread, JSON and comparison", () => {
       inspect(plan(job), { depth: 9 }),
       inspect(plain, { depth: 9 }),
     );
-    // Read twice it is the same object; written, what was written.
+    // Read twice it is the same object; assigned, the assigned value.
     assert.equal(whole.moves, whole.moves);
     whole.moves = [];
     assert.deepEqual(whole.moves, []);
@@ -332,7 +332,7 @@ test("columns are the moves, the program is the plan's, in a row of many too", (
       [...columns.arcs],
       moves.flatMap(({ arc }, i) => (arc ? [i, ...arc.center, arc.sweep] : [])),
     );
-    // The columns are the caller's own.
+    // The columns belong to the caller.
     columns.to.fill(0);
     assert.deepEqual(
       [...moveColumns(job).to],

@@ -1,4 +1,4 @@
-// The house rules of the page's sources, as tests/all/layers.rs has them for the crate.
+// Rules for the page's sources, like those in tests/all/layers.rs for the crate.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
@@ -40,8 +40,8 @@ test("files of the page make no circles, types included", () => {
 });
 
 /**
- * Words that make a reader stop, with a better one, and how many comments and messages had them when this was written. New ones are refused; who rewrites
- * old ones lowers the number.
+ * Words that make a sentence hard to read, with a better one, and their current number in comments and messages. New ones are refused; lower the number after a
+ * rewrite.
  */
 const WORST = [
   { word: /\bstands?\b/g, better: "is, has, contains", most: 9 },

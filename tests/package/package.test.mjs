@@ -1,4 +1,4 @@
-// The package as somebody uses it: by its own name from the repository, and installed from its tarball.
+// The package in use: by its own name from the repository, and installed from its tarball.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import {
@@ -51,7 +51,7 @@ test("by its own name from the repository", async () => {
   );
   /** @type {any} */
   const job = defaultJob("double-wall-internal-corner");
-  // Only what no job says by itself: the stylus above its ball.
+  // Only a value that no job has by default: the stylus above its ball.
   assert.deepEqual(
     check(job).map((f) => `${f.level} ${f.code}`),
     ["info stylus-not-known"],
@@ -211,7 +211,7 @@ test("a program of moves that says no job gives its moves", async () => {
       findings.map((f) => f.code),
       ["no-job-in-program"],
     );
-    // The first place is reached in steps.
+    // The first position is approached in steps.
     const touches = trace.moves.filter((m) => m.kind === "touch");
     assert.equal(touches.length, 4, post);
     assert.deepEqual(trace.moves.at(-1)?.to, moves.at(-1)?.to, post);

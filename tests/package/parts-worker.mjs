@@ -1,4 +1,4 @@
-// Asks the parts of the module what the test asks the whole: a worker, for a module is one for all that import it.
+// Runs the test's calls with the parts of the module: in a worker, because a module is shared by all its importers.
 import { readFileSync } from "node:fs";
 import { parentPort, workerData } from "node:worker_threads";
 import * as api from "../../dist/init.js";

@@ -1,4 +1,4 @@
-// What the whole module and its parts are both asked.
+// Calls for the whole module and its parts.
 
 const SECTIONS = [
   "touches",
@@ -44,7 +44,7 @@ export function* asked(api, { early }) {
           yield answer(() => planOf(api, { ...job, cycle }));
         }
     }
-    // A call that comes too early is a trap, and what is asked after it is right.
+    // A call that comes too early traps, and later calls are correct.
     yield answer(() => api.importJob("{}"));
     yield answer(() => planOf(api, api.defaultJob(cycles[0].type)));
     return;

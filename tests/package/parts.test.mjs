@@ -1,4 +1,4 @@
-// The module comes to the page in two parts: together they answer as the whole, and the first alone never answers wrongly.
+// The page loads the module in two parts: together they answer like the whole, and the first alone never answers wrongly.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -9,7 +9,7 @@ import { asked } from "./parts.mjs";
 const sizeOf = (/** @type {string} */ name) =>
   readFileSync(new URL(`../../www/core/wasm/${name}.wasm`, import.meta.url))
     .length;
-/** A quick build has all in the first part. */
+/** A quick build has everything in the first part. */
 const skip = sizeOf("rest") < 100 && "a quick build is not split";
 
 /** @returns {Promise<string[]>} */
@@ -40,7 +40,7 @@ test("the first part alone answers as the whole, or traps: what a first visit as
   const traps = own.filter((answer) => answer === "trap").length;
   for (const [i, answer] of wanted.entries())
     if (own[i] !== "trap") assert.equal(own[i], answer);
-  // The import, which is asked on purpose, and rare edits.
+  // The import, which is called on purpose, and rare edits.
   assert.equal(own.at(-2), "trap");
   assert.ok(traps <= 10, `${traps} of ${own.length}`);
 });

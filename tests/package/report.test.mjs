@@ -1,4 +1,4 @@
-// Inspection reports: what parts measured, against numbers worked out by hand, as data, CSV, a page, and by the command.
+// Inspection reports: measurements of parts against numbers computed by hand, as data, CSV, a page, and by the command.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -131,7 +131,7 @@ test("what a program says of a result is no run, equal parts have no capability,
     (/** @type {any} */ row) => row.code === "diameter",
   ).series;
   assert.deepEqual([cp, cpk], [null, null]);
-  // On a virtual part that is missed nothing is expected; what a machine did not measure is still not measured.
+  // A virtual part with a missed touch has no expected results; a value that a machine did not measure is still not measured.
   const missed = { ...job, part: { offset: [30, 0, 0] } };
   const part = touchpath.measure(missed, "center.x=0\ncenter.y=0\nresidual=0");
   assert.equal(

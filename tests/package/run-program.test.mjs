@@ -1,11 +1,11 @@
-// Programs that someone else wrote, run by the package and judged by the command.
+// Foreign programs, run by the package and judged by the command.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { file, run, setUp, touchpath } from "./command.mjs";
 
 setUp();
 
-/** A macro as others write them: the way of the touch is 20, from 10 to −10. */
+/** A foreign macro: the touch moves by 20, from 10 to −10. */
 const MACRO = `o<edge> sub
 G21 G90
 G38.2 X[0 - #1] F50
@@ -34,7 +34,7 @@ test("runProgram: what is known moves the probe, what is not is NaN and asked fo
     [told.dialect, told.units, told.asks, told.kinds],
     ["iso", "mm", [], ["rapid", "feed", "probe"]],
   );
-  // Half way from 10 to −10 is 0; the ball's radius is 3.
+  // Half-way from 10 to −10 is 0; the ball's radius is 3.
   assert.deepEqual([...told.to], [-10, 0, -2, 0, 0, -2, 0, 20, -2]);
   // At X0 the write of the offset moves nothing.
   assert.deepEqual([...told.contacts], [0, 0, 0, -2, 2, 0, 10, -2]);
@@ -218,7 +218,7 @@ test("runProgram: where the coordinate system is, what is written, for which con
     part: { at: 0.5 },
     post: "grbl",
   });
-  // The contact is at 10, which is called 0: Z5 is 15 of the system before.
+  // The contact is at 10, which is set to 0: Z5 is 15 in the system before.
   assert.deepEqual(
     [...run.systems],
     [2, 0, 0, 10, 0],
@@ -236,7 +236,7 @@ test("runProgram: where the coordinate system is, what is written, for which con
       guarded: false,
     },
   ]);
-  // What lies between G54 and G55 is not known, or nothing is set.
+  // The shift between G54 and G55 is unknown, or nothing is set.
   const other = "G21 G90 G54\nG0 Z20\nG55\nG91 G0 Z5\n";
   const end = (/** @type {any} */ known) =>
     runProgram(other, { start: [0, 0, 30], ...known }).to.at(-1);

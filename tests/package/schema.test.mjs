@@ -1,13 +1,11 @@
-// The JSON Schema and the check: what the one takes in structure and ranges, the other takes too, both ways.
+// The JSON Schema and the check accept the same structure and ranges, in both directions.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { at } from "../../scripts/lib.mjs";
 
-/**
- * Errors that no schema can say: they depend on several fields, on the control, or on what a text means. Every other code is the schema's too.
- */
+/** Errors that a schema cannot express: they depend on several fields, on the control, or on the meaning of a text. The schema covers every other code. */
 const BEYOND = [
   "align-needs-confirm",
   "approach-beyond-wall",
@@ -92,12 +90,12 @@ const BEYOND = [
   "wrong-count",
   "wrong-wall",
 ];
-/** The same where a code is the schema's elsewhere: a size of which nothing would be left, a stud of no diameter. */
+/** The same for a code that the schema covers elsewhere: a size that leaves nothing, a stud of zero diameter. */
 const BEYOND_AT = [
   /^out-of-range part\.sizes\./,
   /^out-of-range cycle(s\[\d+\])?(\.cycle)?\.diameter\d$/,
   /^unknown-key part\.sizes\./,
-  // The size may say it.
+  // The size may contain it.
   /^missing tolerances\..*\.tolerance$/,
 ];
 

@@ -1,4 +1,4 @@
-// `touchpath serve`: what it answers, what it refuses, and how it ends.
+// `touchpath serve`: answers, refusals, and shutdown.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -140,7 +140,7 @@ test("every route answers as the function of the package does", async () => {
       [3, [1, 2, -5]],
     ],
   );
-  // A job a line, in order, a bad one among them.
+  // A job per line, in order, with a bad one among them.
   const lines = [
     HOLE,
     { ...HOLE, cycle: { type: "hole", diameter: -1 } },
@@ -217,7 +217,7 @@ test("what is no request of a route is refused with its reason, and a name of th
   );
   const own = await post(`${address}/check`, "{}");
   assert.match(own.headers.get("x-request-id") ?? "", /^[0-9a-f-]{36}$/);
-  // A name that is none is not given back.
+  // An invalid id is not returned.
   const odd = await post(`${address}/check`, "{}", "application/json", {
     "x-request-id": "a b<script>",
   });
@@ -373,7 +373,7 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
     },
   };
   const lines = `${JSON.stringify(slow)}\n`.repeat(256);
-  // As many as the threads take at once, and then the client leaves.
+  // As many as the threads accept in parallel, then the client disconnects.
   for (const after of [5, 60, 150])
     await new Promise((done) => {
       const socket = connect(Number(port), hostname, () => {
@@ -384,7 +384,7 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
       });
       socket.on("error", () => undefined);
     });
-  // Until the threads have noticed: a machine under load takes its time.
+  // Until the threads have noticed: a loaded machine takes its time.
   for (let free = false; !free; ) {
     const start = performance.now();
     const { status } = await fetch(
@@ -392,7 +392,7 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
     );
     free = status === 200 && performance.now() - start < 300;
   }
-  // Jobs that come one by one, for longer than a request may take to come.
+  // Jobs that arrive one by one, for longer than a request may take.
   const answered = await new Promise((done) => {
     let text = "";
     const socket = connect(Number(port), hostname, async () => {
@@ -415,7 +415,7 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
     ),
     [1, 2, 3, 4, 5, 6],
   );
-  // Half a body, and away: no fault of the service.
+  // Half a body, then a disconnect: no error of the service.
   const half = connect(Number(port), hostname, () => {
     half.write(
       "POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 100\r\n\r\n{",
@@ -525,7 +525,7 @@ test("jobs are judged by the rules of a file, and wrong rules or options end it 
   assert.deepEqual(await end(), [0, true]);
 });
 
-/** Opens connections and begins a request on each, of which no more comes. */
+/** Opens connections and starts a request on each that never continues. */
 async function halfOpen(
   /** @type {string} */ address,
   /** @type {number} */ count,
@@ -538,7 +538,7 @@ async function halfOpen(
         `POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n${begun}`,
       ),
     );
-    // What it is answered is read, and with it that the connection ends.
+    // Reads the answer, and with it the end of the connection.
     return socket.on("error", () => undefined).resume();
   });
   const either = (/** @type {import("node:net").Socket} */ socket) =>
@@ -577,7 +577,7 @@ test("requests whose bodies never come block no other, and are closed", async ()
   assert.equal(await planned(), 200);
   await closed(sockets);
   assert.ok(Date.now() - begun < 10_000, `${Date.now() - begun} ms`);
-  // More connections than are taken are closed, and room comes back.
+  // Connections beyond the limit are closed, and later there is room again.
   await closed(await halfOpen(address, 320));
   assert.equal(await planned(), 200);
   assert.deepEqual(await end(), [0, true]);
@@ -593,7 +593,7 @@ test("too many at once are answered with 503, and connections that break off do 
     "1",
   );
   const { hostname, port } = new URL(address);
-  // Long answers, one behind the other, of which nothing is read: they wait, and count.
+  // Long answers, one after the other, that nobody reads: they wait, and count.
   const body = JSON.stringify(
     Object.fromEntries(
       Array.from({ length: 300 }, (_, i) => [`unknown${i}`, i]),
@@ -605,7 +605,7 @@ test("too many at once are answered with 503, and connections that break off do 
   ).pause();
   greedy.on("error", () => undefined);
   const plain = () => post(`${address}/check`, "{}");
-  // Many beside each other, some of which meet a service that is busy.
+  // Many in parallel, some of which find the service busy.
   let late = await plain();
   for (let i = 0; i < 200 && late.status === 200; i++)
     late =

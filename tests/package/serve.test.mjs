@@ -1,4 +1,4 @@
-// The server of `npm start`: seen by this machine only, and not ended by a file.
+// The server of `npm start`: only visible on this machine, and not ended by a file.
 import assert from "node:assert/strict";
 import {
   chmodSync,
@@ -86,7 +86,7 @@ test("one file that could not be read ended it", async () => {
   writeFileSync(locked, "no");
   chmodSync(locked, 0o000);
   symlinkSync("loop", join(root, "page", "loop"));
-  // Nor is a folder in the file's place one that can be read.
+  // Nor can a folder in place of the file be read.
   mkdirSync(join(root, "page", "folder", "index.html"), { recursive: true });
   for (const path of [
     "/locked.txt",
@@ -99,7 +99,7 @@ test("one file that could not be read ended it", async () => {
     `/${"x".repeat(5000)}`,
   ]) {
     const { status } = await get(path);
-    // Root reads even what is locked.
+    // Root reads even protected files.
     const wanted = { "/loop": [500], "/locked.txt": [500, 200] }[path] ?? [404];
     assert.ok(wanted.includes(status ?? 0), `${path.slice(0, 20)}: ${status}`);
     assert.equal((await get("/")).text, "the page", `after ${path}`);

@@ -1,4 +1,4 @@
-// What a first visit loads stays what it is: more is a decision, not an accident.
+// Size budgets of a first visit: more is a decision, not an accident.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";

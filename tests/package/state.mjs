@@ -1,4 +1,4 @@
-// What the tests of the page's state share: the modules that the page loads, without those that draw it, on the real core.
+// Shared by the tests of the page's state: the modules that the page loads, without those that draw, on the real core.
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -7,7 +7,7 @@ import { pathToFileURL } from "node:url";
 import { build } from "vite";
 import { at, root } from "../../scripts/lib.mjs";
 
-/** The modules of `www` that need no document, by the name that each has here. */
+/** Modules of `www` that need no document, by the name used here. */
 const MODULES = {
   store: "store.ts",
   number: "number.ts",
@@ -36,7 +36,7 @@ export let sentences;
 /** @type {any} */
 export let words;
 
-/** Builds them for Node and loads them. A test file is a process of its own: it builds once. */
+/** Builds them for Node and loads them. A test file is a separate process and builds once. */
 export function setUp() {
   /** @type {string} */
   let folder;
@@ -88,7 +88,7 @@ export function setUp() {
   after(() => rmSync(folder, { recursive: true, force: true }));
 }
 
-/** Types a text into the field of a path, as the page's form takes it. */
+/** Types a text into the field of a path, like the page's form. */
 export function type(
   /** @type {any} */ store,
   /** @type {string} */ path,

@@ -1,4 +1,4 @@
-// The rules of a portal: what they fill in, what they fix, and that the order in which things come does not matter.
+// Rules of a portal: filled-in and fixed values, independent of the order of inputs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Store, setUp } from "./state.mjs";
@@ -176,7 +176,7 @@ test("a config that fills in nothing holds for the job that was set before it", 
     "what the job says stays",
   );
   store.outside.release("config");
-  // A job that is the one that is shown is the portal's all the same.
+  // The job that is already shown still belongs to the portal.
   store.outside.input("job", structuredClone(store.job));
   store.outside.input("config", {
     format: 1,

@@ -1,4 +1,4 @@
-// Another control: what of the job it has not, what is told of it, and what its program says.
+// Another control: settings of the job that it does not have, their announcement, and the program.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { listen, program, read, Store, said, setUp, type } from "./state.mjs";

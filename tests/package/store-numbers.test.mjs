@@ -1,4 +1,4 @@
-// What a text in a number field says: a number, a sum, a unit, or none of them.
+// Text in a number field: a number, a sum, a unit, or none of them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { readNumber, setUp } from "./state.mjs";
@@ -92,7 +92,7 @@ test("a tolerance in a size was taken for a sum", () => {
     "25e7",
     "25 H7",
     "25\u{b1}0.02",
-    // Two deviations with a blank or a slash are no sum, however large.
+    // Two deviations with a blank or a slash are no sum, for any size.
     "25 +0.6/-0.6",
     "25 +0.6 -0.6",
     "100 +1 0",
@@ -118,7 +118,7 @@ test("a tolerance in a size was taken for a sum", () => {
   assert.equal(readNumber("90+0.5", "angle", "mm", false, true), 90.5);
   for (const angle of ["90+0.4", "90 +0.5/-0.5", "90 +1 -1", "90 +0.5 0"])
     assert.equal(readNumber(angle, "angle", "inch", false, true), angle, angle);
-  // 0.05 is much in inch, and the unit that is typed counts.
+  // 0.05 is large in inch, and the typed unit counts.
   assert.equal(readNumber("1+0.05", "length", "inch", false, true), 1.05);
   assert.equal(readNumber("1+0.001", "length", "inch", false, true), "1+0.001");
   assert.equal(

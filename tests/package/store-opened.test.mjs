@@ -1,4 +1,4 @@
-// Jobs and programs that come from outside: what can be used is taken whole, what cannot changes nothing and says why.
+// Jobs and programs from outside: a valid one is loaded whole, an invalid one changes nothing and is reported.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { defaultJob, plan } from "touchpath";

@@ -1,4 +1,4 @@
-// Machines that are kept: what of a job belongs to them, what a file of them may hold, and what is taken into a job.
+// Stored machines: their part of a job, valid files of them, and their use in a job.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { presets, program, Store, setUp, type } from "./state.mjs";

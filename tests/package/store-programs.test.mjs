@@ -1,4 +1,4 @@
-// Programs that say no job, and what a machine measured: what is read of them, and why no job is made.
+// Programs without a job, and measurements: their content, and why no job is made.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { measure } from "touchpath";

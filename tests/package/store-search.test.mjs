@@ -1,4 +1,4 @@
-// Cycles are found by the words that setters have for what they measure.
+// Cycles are found by the words that setters use.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { catalog } from "touchpath";

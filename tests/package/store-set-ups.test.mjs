@@ -1,4 +1,4 @@
-// Several cycles in one program: their names and order, what is written from which, and what one takes from another.
+// Several cycles in one program: their names and order, sources of the work offset, and followed results.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { catalog } from "touchpath";
@@ -15,7 +15,7 @@ import {
 
 setUp();
 
-/** A job that begins with this cycle and writes this work offset. */
+/** A job that starts with this cycle and writes this work offset. */
 function begun(
   /** @type {string} */ cycle,
   /** @type {number | null} */ workOffset = null,
@@ -37,7 +37,7 @@ function opened(/** @type {object} */ job) {
   return store;
 }
 
-/** A further cycle, this far away along an axis. */
+/** A further cycle at this distance along an axis. */
 function add(
   /** @type {any} */ store,
   /** @type {string} */ cycle,
@@ -53,7 +53,7 @@ const names = (/** @type {any} */ store) =>
 /** Renames the cycle in hand. */
 const rename = (/** @type {any} */ store, /** @type {string} */ name) =>
   store.renameFeature(store.features.hand, name);
-/** Adds a relation of places. */
+/** Adds a relation of positions. */
 const relate = (
   /** @type {any} */ store,
   /** @type {string} */ kind,
@@ -332,7 +332,7 @@ test("a place follows a result of an earlier cycle, and keeps to it when that is
     program(store),
     /TOP\.point\.z is #<top_point_z>, more than 1 from 0/,
   );
-  // A number comes back like any other value.
+  // A number can be restored like any other value.
   store.put("cycle.origin[2]", -2);
   assert.doesNotMatch(program(store), /shift_z/);
 });
@@ -357,7 +357,7 @@ test("another feature is placed beside what is there, as large as the last of it
   store.addFeature("hole");
   assert.equal(store.get("cycle.diameter"), "12 H7");
   assert.ok(store.get("cycle.origin[0]") > 20);
-  // An error that is there already is no reason for another one.
+  // An existing error does not cause another one.
   type(store, "cycle.depth", "-1");
   store.addFeature("hole");
   assert.deepEqual(names(store), ["BORE", "SURFACE", "BORE2", "BORE3"]);
@@ -387,7 +387,7 @@ test("a ready set-up is for the machine of the job, in its units, and without an
               units === "mm" ? 5 : 0.2,
             );
             assert.equal(store.units, units);
-            // What the card says is written is written, and from what it says.
+            // The program writes what the card promises, from the stated sources.
             const { x, y, z } = setUp.job.datum ?? {};
             const { datum = {}, control } = store.job;
             assert.deepEqual([datum.x, datum.y, datum.z], [x, y, z], name);
@@ -405,7 +405,7 @@ test("a ready set-up is for the machine of the job, in its units, and without an
             store.undo();
             assert.equal(store.features.several, false);
           }
-  // Those with a result that another one follows are for controls that compute; a report is for every control.
+  // Set-ups with followed results are for controls that compute; a report is for every control.
   for (const post of ["linuxcnc", "sinumerik", "fanuc", "haas"])
     for (const { key } of SET_UPS)
       assert.ok(begunWith.has(`${key} ${post}`), `${key} ${post}`);
@@ -435,7 +435,7 @@ test("a ready set-up is not offered where the page around fixes what it would ch
   const all = SET_UPS.map(({ key }) => key);
   assert.deepEqual(offered({}), all);
   assert.deepEqual(offered({ allow: { setUps: false } }), []);
-  // Two of them need a limit of how far a place may be off; the report writes no work offset.
+  // Two of them need a limit of the position; the report writes no work offset.
   const locked = { locked: true };
   assert.deepEqual(offered({ fields: { "limits.position": locked } }), [
     "plate",
@@ -530,7 +530,7 @@ test("the stock of a ready set-up fits its features, and those that are added", 
   assert.equal(store.withheld, null);
   store.undo();
   assert.deepEqual(store.get("stock.size"), size);
-  // One that was typed stays as it is.
+  // A typed one stays as it is.
   type(store, "stock.size[0]", "150");
   store.addFeature("hole");
   assert.equal(store.get("stock.size[0]"), 150);

@@ -1,4 +1,4 @@
-// Sizes and results with a tolerance: what a program judges by, what it is called, and what other units make of it.
+// Sizes and results with a tolerance: the program's judgement, names, and other units.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { plan } from "touchpath";
@@ -166,7 +166,7 @@ test("what follows from a size out of its tolerance stands beside it, and the sh
   assert.equal(store.sizeWithTolerance(0, "diameter"), null);
 });
 
-/** Two circles on the control whose cycle takes tolerances. */
+/** Two circles on the control whose cycle supports tolerances. */
 function circles() {
   const store = new Store();
   store.choose("probing-two-circles");
@@ -182,14 +182,14 @@ test("what follows from a tolerance goes with it", () => {
   assert.equal(store.withheld, null);
   type(store, "cycle.diameter", "26");
   assert.deepEqual([store.withheld, store.job.tolerances], [null, {}]);
-  // One that is written in the list is the list's.
+  // A tolerance in the list belongs to the list.
   store.tolerate(0, { diameter: { tolerance: "±0.1", action: "mark" } });
   type(store, "cycle.diameter", "27");
   assert.deepEqual(store.tolerance(0, "diameter"), {
     tolerance: "±0.1",
     action: "mark",
   });
-  // An entry that says nothing is none, and two that are set together are one step.
+  // An empty entry is removed, and two that are set together are one step.
   const pocket = new Store();
   pocket.choose("internal-rectangle");
   for (const key of ["width1", "width2"])
@@ -261,7 +261,7 @@ test("two circles with an extrusion come back byte for byte from the program tha
 test("texts with tolerances stayed as they were when the units changed: ten millimetres became ten inches", () => {
   const store = new Store();
   store.choose("probing-two-circles");
-  // What nobody has touched begins as in inch: these were given.
+  // Untouched fields have round values in inch: these were set.
   store.set("cycle.point1", [-30, 0, -10]);
   store.set("cycle.point2", [30, 0, -10]);
   type(store, "cycle.diameter1", "10H7");
@@ -307,7 +307,7 @@ test("the tolerance of a result is kept through another cycle, another name and 
     program(store),
     /\(ABORT,diameter is #<diameter>, not 25 to 25\.021\)/,
   );
-  // A second cycle: the first one's results are named, and keep what they have.
+  // A second cycle: the first one's results get names, and keep their tolerances.
   store.addFeature("boss");
   store.put("cycle.origin[0]", 120);
   assert.match(

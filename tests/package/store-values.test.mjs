@@ -1,4 +1,4 @@
-// What is typed into the form is in the job and in the program: values, units, languages, other cycles and back.
+// Input of the form reaches the job and the program: values, units, languages, other cycles and back.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { catalog } from "touchpath";
@@ -64,7 +64,7 @@ test("every cycle has a plan without an error, and its moves are of its document
 
 test("units convert what is shown, not the part", () => {
   const store = new Store();
-  // What nobody has touched begins as in inch: everything of this job was given.
+  // Untouched fields have round values in inch: every value of this job was set.
   for (const section of ["cycle", "stylus", "feeds", "overtravel"])
     store.put(section, store.get(section));
   store.setUnits("inch");
@@ -96,7 +96,7 @@ test("inch is designed: en-US begins with it, and no field that nobody has touch
       assert.deepEqual(values(), [0.236, 0.00005, 40, 0.8, 3, 0.2]);
       store.setUnits("mm");
       assert.deepEqual(values(), [6, 0.001, 1000, 20, 80, 5], "back exactly");
-      // What was typed is converted.
+      // Typed values are converted.
       type(store, "cycle.width1", "60");
       store.setUnits("inch");
       assert.deepEqual(values(), [0.236, 0.00005, 40, 0.8, 2.362205, 0.2]);

@@ -1,4 +1,4 @@
-// The page's state by itself, without a browser: the same module that the page loads, on the real core. Its subjects are in store-*.
+// The page's state without a browser: the same module as on the page, on the real core. Its subjects are in store-*.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { read, Store, setUp } from "./state.mjs";
@@ -73,7 +73,7 @@ test("what nobody has touched begins with numbers of its units; what was typed, 
   const store = new Store();
   store.set("cycle.width1", 80);
   store.setUnits("inch");
-  // 80 mm were typed, though they are the default; 50 mm were not.
+  // 80 mm were typed, although they are the default; 50 mm were not.
   assert.deepEqual(
     [store.get("cycle.width1"), store.get("cycle.width2")],
     [3.149606, 2],
@@ -216,7 +216,7 @@ test("every job was called PROBE: a name that was not typed follows what is meas
   store.set("cycle.diameter", 25);
   assert.equal(name(), "MINE");
   assert.equal(store.fileName("ngc"), "MINE.ngc");
-  // A job that comes from outside keeps its name, whatever the one before it was called.
+  // A job from outside keeps its name, for any earlier name.
   store.reset();
   const job = { ...structuredClone(store.draft), name: "BORE-D40" };
   job.cycle.diameter = 30;
@@ -249,12 +249,12 @@ test("a work offset was lost on the way over a control that has none", () => {
   store.chooseControl("grbl");
   store.chooseControl("haas");
   assert.deepEqual(held(), ["haas", 13], "G154 P7");
-  // What the user chooses holds.
+  // The user's choice holds.
   store.chooseControl("grbl");
   store.put("control.workOffset", null);
   store.chooseControl("haas");
   assert.deepEqual(held(), ["haas", null]);
-  // Nor does it come into another job.
+  // Nor does it carry over to another job.
   store.put("control.workOffset", 2);
   store.chooseControl("grbl");
   store.reset();
@@ -279,7 +279,7 @@ test("a file that held another program when it was saved before is known", () =>
     store.set("cycle.clearanceHeight", 100);
     const own = store.fileName(store.plan.program.extension);
     store.remember(own);
-    // Of the cycle that each of them writes.
+    // For the cycle that each of them writes.
     store.set("cycle.clearanceHeight", 90);
     assert.equal(store.replaces(own), true, post);
   }
@@ -360,7 +360,7 @@ test("any run of steps taken back is the state before it, and taken again the st
     store.settle();
     const step = steps[draw(steps.length)];
     step?.();
-    // A step that changes nothing may be none.
+    // A step without a change may be omitted.
     if (store.history.past.length === states.length) states.push(state());
     else assert.equal(state(), states.at(-1));
   }

@@ -1,4 +1,4 @@
-// The languages: each has words for every text, and for nothing else; texts in braces, numbers and codes are the same.
+// The languages: each has words for every text and no others; braces, numbers and codes are the same.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -41,7 +41,7 @@ for (const language of languages()) {
       assert.ok(words.trim() !== "", text);
       assert.deepEqual(found(NAMES, words), found(NAMES, text), text);
       assert.deepEqual(found(CODES, words), found(CODES, text), text);
-      // A text that is put after another one begins alike.
+      // A text that is appended to another one starts the same.
       assert.equal(/^ /.test(words), /^ /.test(text), text);
       assert.doesNotMatch(words, /[<>\n]/, text);
       if (words !== text) translated++;
@@ -51,7 +51,7 @@ for (const language of languages()) {
 }
 
 test("no part of the page says an English text of its own", () => {
-  // What Lit puts between tags or into an attribute that people read.
+  // Text that Lit puts between tags or into visible attributes.
   const shown =
     />\s*([A-Z][a-z]+(?: [a-z]+)*)\s*<\/|(?:aria-label|title|placeholder|alt)="([A-Za-z][^"$]+)"/g;
   const names = new Set(["Touchpath"]);
@@ -71,7 +71,7 @@ test("no part of the page says an English text of its own", () => {
     );
   }
   assert.ok(parts > 15);
-  // What a style sheet writes has no words in any language.
+  // Text in style sheets has no translation.
   const styles = readdirSync(at("www/styles")).map((name) => `styles/${name}`);
   assert.ok(styles.length > 8);
   for (const name of [...styles, "page.css"]) {
@@ -178,7 +178,7 @@ test("what is said is the message, and the message in another language", async (
   const answer = lentoaxWords({ toolType: 500 });
   said(answer.sentence, answer.said);
   assert.ok(count > 10_000, `${count} texts were compared`);
-  // The help of a field, in small letters after its label, is said by the page itself.
+  // The page itself joins the help of a field, in lower case, to its label.
   assert.deepEqual([...english], []);
   const [finding] = check({ ...defaultJob("hole"), overtravel: 5000.5 });
   assert.equal(finding?.message, "Overtravel must be from 0.01 to 1000 mm");

@@ -1,4 +1,4 @@
-// A run that ends in the part is drawn up to where it ends.
+// A run that ends in the part is drawn up to its end.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

@@ -1,4 +1,4 @@
-// What the page's tests share: the served page in Chromium, and that nothing goes wrong on it unseen.
+// Shared by the page's tests: the served page in Chromium, with every unseen problem as a failure.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach } from "node:test";
 import { chromium } from "playwright-core";
@@ -25,13 +25,13 @@ export let page;
 /** Exceptions and errors on the console, those of the Content-Security-Policy among them. @type {string[]} */
 export let problems = [];
 
-/** Chromium, without a window. */
+/** Chromium, headless. */
 export async function launch() {
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args,
   });
-  // While tests are written a short patience finds what is no longer there.
+  // A short timeout finds missing elements quickly while tests are written.
   const { PATIENCE } = process.env;
   if (!PATIENCE) return browser;
   const own = browser.newContext.bind(browser);
@@ -53,9 +53,9 @@ export const SIZES = [
   [390, 844],
 ];
 
-/** What changes a page or its browser for good: after it the next test gets another one. */
+/** Calls that change a page or its browser for good: the next test gets new ones. */
 const LASTING = ["addInitScript", "exposeFunction", "install"];
-/** What changes it until that is undone. */
+/** Changes that last until they are undone. */
 const UNDONE = {
   route: async () => {
     await page.unrouteAll({ behavior: "ignoreErrors" });
@@ -74,11 +74,11 @@ const UNDONE = {
     for (const tab of context.pages()) if (tab !== page) await tab.close();
   },
 };
-/** Whether the page and its browser are as every test of the file finds them. */
+/** Whether the page and its browser are in their initial state. */
 let asOpened = false;
 /** What the test before has changed. @type {Set<keyof typeof UNDONE>} */
 const changed = new Set();
-/** How large the page is at first. */
+/** Initial size of the page. */
 let opened = { width: 1280, height: 800 };
 
 /**
@@ -135,14 +135,14 @@ export function setUp(
   });
 }
 
-/** The page as a first visit has it, in the same browser: nothing is kept of the test before. */
+/** The page of a first visit in the same browser, without the state of the previous test. */
 async function forget() {
   const undo = [...changed];
   for (const name of undo) await UNDONE[name]();
   changed.clear();
   await page.mouse.move(0, 0);
   await page.evaluate(() => {
-    // The page keeps its state when it goes.
+    // The page stores its state when it is left.
     for (const storage of [localStorage, sessionStorage]) storage.clear();
     Storage.prototype.setItem = () => {};
   });
@@ -160,7 +160,7 @@ async function forget() {
 export async function open(options) {
   asOpened = false;
   await context?.close();
-  // Where people measure in inch a first job is in inch: here it is in mm.
+  // In regions that measure in inch the first job is in inch: here it is in mm.
   const locale = "en-GB";
   context = await browser.newContext({
     permissions: ["clipboard-read", "clipboard-write"],
@@ -204,7 +204,7 @@ const pocket = (/** @type {import("playwright-core").Page} */ tab) =>
 export async function ready(tab = page) {
   await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
   await tab.locator(`tp-picture ${PICTURE}`).waitFor({ state: "attached" });
-  // A first visit is shown before its module is there.
+  // A first visit is shown before its module is loaded.
   await tab.evaluate(
     () => /** @type {any} */ (document.querySelector("touch-path")).ready,
   );
@@ -216,7 +216,7 @@ export const unfold = (tab = page) =>
   tab.evaluate(() => {
     const element = /** @type {any} */ (document.querySelector("touch-path"));
     const root = element?.shadowRoot;
-    // What only authors of postprocessors need is there, too: tests of what a setter sees switch it off.
+    // Includes what only authors of postprocessors need: tests of a setter's view switch it off.
     if (element?.store) element.store.cam = true;
     /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
     // The results are shown first beside form and picture: most tests need the program.
@@ -261,7 +261,7 @@ export const put = (/** @type {string} */ path, /** @type {unknown} */ value) =>
     /** @type {[string, unknown]} */ ([path, value]),
   );
 
-/** The buttons of a step back and of one that comes again. */
+/** Buttons for undo and redo. */
 export const undo = () => page.getByRole("button", { name: "Undo" });
 export const redo = () => page.getByRole("button", { name: "Redo" });
 
@@ -277,12 +277,12 @@ export const field = (/** @type {string} */ path, tab = page) =>
 export const chooseUnits = (/** @type {string} */ units) =>
   page.getByRole("radio", { name: units, exact: true }).check();
 
-/** What a locator shows, as text. */
+/** Visible text of a locator. */
 export const textOf = async (
   /** @type {import("playwright-core").Locator} */ locator,
 ) => (await locator.textContent()) ?? "";
 
-/** The program as it is shown. */
+/** The visible program. */
 export const program = async (tab = page) =>
   (await tab.locator("tp-program .text").allTextContents()).join("\n");
 
@@ -298,14 +298,14 @@ export async function openText(
     mimeType: "text/plain",
     buffer: Buffer.from(text),
   });
-  // The page empties it when the text is read: until then the job before is shown.
+  // The page empties it when the text is read: until then the previous job is shown.
   await settles(async () => (await file.inputValue()) === "", tab);
 }
 
 /** The picture, without the canvas over it. */
 export const PICTURE = "canvas:not(.over, .mini)";
 
-/** The ends of the dimensions' lines, in the window. */
+/** Ends of the dimension lines, in the window. */
 export const dimensionLines = () =>
   page.evaluate(() => {
     const root = /** @type {ShadowRoot} */ (
@@ -329,13 +329,13 @@ export const dimensionLines = () =>
     );
   });
 
-/** Until what was changed is drawn: once a frame. */
+/** Waits until a change is drawn: once per frame. */
 export const framed = (tab = page) =>
   tab.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => done(null))),
   );
 
-/** The drawn pixels of a canvas and of what lies over it: how many are not background, and a sum to tell pictures apart. */
+/** Drawn pixels of a canvas and its overlay: the number that are not background, and a checksum. */
 export const pixels = async () => {
   await framed();
   return page
@@ -364,7 +364,7 @@ export const pixels = async () => {
     });
 };
 
-/** How many pixels of a part's picture have exactly this colour of the theme, and in how many columns they are. */
+/** Number of pixels of a part's picture with exactly this colour of the theme, and the number of their columns. */
 export const painted = async (
   /** @type {string} */ part,
   /** @type {string} */ colour,
@@ -411,7 +411,7 @@ export async function boxOf(
   return box;
 }
 
-/** The id of what has the focus. */
+/** Id of the focused element. */
 export const focusedId = () =>
   page.evaluate(
     () =>
@@ -441,7 +441,7 @@ export const held = (/** @type {string} */ path, tab = page) =>
     path,
   );
 
-/** Until something holds that no selector says. */
+/** Waits until a condition holds that no selector expresses. */
 export async function settles(
   /** @type {() => Promise<boolean>} */ holds,
   tab = page,

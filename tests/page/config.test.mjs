@@ -1,5 +1,4 @@
-// The portal in charge: what its config lets the user of <touch-path> see, choose and change.
-// What it fills in and fixes, whatever the user does: tests/package/store-config.test.mjs.
+// Choices and changes that a portal's config allows the user of <touch-path>. For values that it fills in and fixes see tests/package/store-config.test.mjs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -92,7 +91,7 @@ test("the form offers what the config allows, and begins with what it fills in",
     await page.getByRole("button", { name: "+ Add a feature" }).count(),
     0,
   );
-  // The gallery and the list of everything offer no more.
+  // The gallery and the list of commands offer no more.
   await page.locator(`${inner("form")} .gallery`).click();
   await page
     .locator(`${inner("gallery")} button[data-type]`)
@@ -138,7 +137,7 @@ test("a fixed field cannot be changed and says why, a hidden one is not there", 
   );
   assert.equal(await field("control.tool").count(), 0);
   assert.ok(await field("feeds.approach").isEnabled());
-  // A job of the portal's that has another value can be put right.
+  // A job of the portal with a wrong value can be corrected.
   await set("job", {
     format: 1,
     cycle: { type: "hole" },

@@ -1,4 +1,4 @@
-// What a setter does every day: cycles and controls changed, presets, pictures, phones, other people's devices.
+// A setter's daily work: changing cycles and controls, presets, pictures, phones, other devices.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -89,7 +89,7 @@ test("back in the browser left the page where the gallery stood", async () => {
   await page.goBack();
   await page.locator("tp-gallery").waitFor({ state: "detached" });
   await page.locator("tp-picture canvas").first().waitFor();
-  // The page's own way back leaves nothing to go back to.
+  // The page's own way back leaves no entry in the history.
   await more("Tool lengths");
   await page.getByRole("button", { name: "Back to the job" }).click();
   await page.waitForFunction(() => !history.state);
@@ -119,7 +119,7 @@ test("a browser that keeps nothing is said, once", async () => {
   const before = await refused();
   await field("cycle.width1").fill("71");
   await said.waitFor({ state: "detached" });
-  // It is refused again, a moment later.
+  // It is refused again after a moment.
   await settles(async () => (await refused()) > before);
   await framed();
   assert.equal(await said.count(), 0);
@@ -232,7 +232,7 @@ test("a deviation that is drawn larger, and one that is not any more, are in the
       const { data } = canvas
         .getContext("2d")
         .getImageData(0, 0, width, height);
-      // The outline of the virtual part, by its colour: how far apart it reaches across the picture.
+      // The outline of the virtual part, by its colour: its extent across the picture.
       let [least, most] = [width, 0];
       for (let i = 0; i < data.length; i += 4)
         if (

@@ -1,4 +1,4 @@
-// What the program does is one sentence: in the bar, under the program, on the sheet. Names of files, and fields that do not count.
+// The write summary is one sentence: in the bar, under the program, on the sheet. Also names of files, and unused fields.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -31,7 +31,7 @@ test("a job that sets rotation and preset was said to measure only, in the bar a
     0,
     "this cycle takes none",
   );
-  // In the bar, where it was looked for first; the fields of the form follow.
+  // In the bar, where users look first; the fields of the form follow.
   await does.selectOption({
     label: "sets basic rotation and preset X Y, mean of both circles",
   });
@@ -79,7 +79,7 @@ test("fields that change nothing stood there with a value", async () => {
   );
   await put("name", "BORE2201");
   assert.equal(await field("control.number").inputValue(), "2201");
-  // A value that is ignored is there to be seen and removed.
+  // An ignored value is shown so that it can be removed.
   await put("control.number", 7);
   await field("control.post").selectOption("linuxcnc");
   assert.equal(await field("control.number").inputValue(), "7");

@@ -1,4 +1,4 @@
-// The life of a <touch-path>: set before it is known, loaded late or never, moved, taken out, and nothing left behind.
+// The life cycle of a <touch-path>: set before it is defined, loaded late or never, moved, removed, without leftovers.
 import assert from "node:assert/strict";
 import { cpSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -20,7 +20,7 @@ import {
 
 setUp();
 
-/** The panels before their element in the markup: the order is the portal's. */
+/** The panels before their element in the markup: the portal chooses the order. */
 const PARTS = `<touch-form for="job"></touch-form><touch-picture for="job"></touch-picture><touch-program for="job"></touch-program>
   <touch-path id="job" hidden panels="none"></touch-path>`;
 const part = (/** @type {string} */ name) => page.locator(`touch-${name}`);
@@ -45,7 +45,7 @@ const allReady = async () => {
 test("form, picture and program stand where the portal puts them, and are one job", async () => {
   await open(PARTS, LISTEN);
   await allReady();
-  // Each shows its own panel and no other, without bar and foot.
+  // Each shows only its own panel, without bar and footer.
   const seen = await page.evaluate(() =>
     ["form", "picture", "program"].map((name) => {
       const root = document.querySelector(`touch-${name}`)?.shadowRoot;
@@ -91,7 +91,7 @@ test("form, picture and program stand where the portal puts them, and are one jo
     "the element says so, once a change",
   );
   assert.equal(await on((element) => element.job.cycle.width1), 64);
-  // What is set from outside is shown in all.
+  // Inputs from outside show in all.
   await set("cycle", "boss");
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
   await width()
@@ -115,7 +115,7 @@ test("a line lights up its move in the other panels, and a dimension leads to it
   const before = await over();
   await part("program").locator(".line.touch").first().hover();
   await settles(async () => (await over()) !== before, page);
-  // Escape in the picture unpins; a click on a dimension asks for its field, which another element has.
+  // Escape in the picture clears the selection; a click on a dimension goes to its field in another element.
   await page.evaluate((name) => {
     const picture = document
       .querySelector("touch-picture")
@@ -261,7 +261,7 @@ test("an element that comes back has its panels again, and what is looked at is 
     );
     path.remove();
     form.remove();
-    // Another element that comes meanwhile changes nothing.
+    // Another element that is added meanwhile changes nothing.
     document.body.append(document.createElement("touch-path"));
     await new Promise((done) => setTimeout(done, 100));
     if (program.shadowRoot.querySelector(".tabs") === null)
@@ -273,7 +273,7 @@ test("an element that comes back has its panels again, and what is looked at is 
     document.body.append(program);
     await Promise.all([form.ready, program.ready]);
   });
-  // What has changed meanwhile is shown.
+  // Changes since then are shown.
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
   await part("program")
     .locator("tr", { hasText: "Diameter" })
@@ -355,7 +355,7 @@ test("findings lead to lines and fields of other panels", async () => {
     page,
   );
   await page.locator("#job .probe").click();
-  // The length of the stylus is left out: its box has the focus.
+  // The length of the stylus is unset: its checkbox has the focus.
   const focused = () =>
     page.evaluate(
       () =>
@@ -397,7 +397,7 @@ test("what is no element of ours has no panels to show, and one that becomes one
 });
 
 test("a page holds two versions: the later one by a name of its own, each with its own insides", async () => {
-  // The next version is this one with other names inside, as its build gives them. It goes with the folder: until then the page may load more of it.
+  // The next version is this one with other names, as its build creates them. Its folder stays until the page has loaded everything.
   const next = join(folder, "next");
   cpSync(join(folder, "touchpath"), next, { recursive: true });
   const { version } = JSON.parse(readFileSync("package.json", "utf8"));
@@ -412,7 +412,7 @@ test("a page holds two versions: the later one by a name of its own, each with i
         .replaceAll(version, "9.0.0"),
     );
   }
-  // Both make the policy of Lit's markup for themselves.
+  // Both create the policy for Lit's markup themselves.
   await open(
     "<touch-path></touch-path><acme-path id=acme cycle=boss></acme-path><touch-form for=acme></touch-form>",
     "",
@@ -448,10 +448,10 @@ test("a page holds two versions: the later one by a name of its own, each with i
     true,
     "NotSupportedError",
   ]);
-  // A panel shows what its element makes of itself, whichever version it is.
+  // A panel shows the content of its element, of either version.
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
   assert.equal(await part("form").locator("tp-9-0-0-form").count(), 1);
-  // A second copy of one version shares what the first one has defined.
+  // A second copy of one version shares the classes of the first one.
   const same = await page.evaluate(async () => {
     const file = "./touchpath/element/element.js?copy";
     const { define } = await import(new URL(file, location.href).href);

@@ -1,4 +1,4 @@
-// <touch-path> in what is around it: the look, the form, the control and the language of somebody else's page.
+// <touch-path> in its surroundings: look, form, control and language of a host page.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { wordsOf } from "../../scripts/words.mjs";
@@ -50,7 +50,7 @@ test("panels, theme, slots, parts and custom properties", async () => {
   assert.equal(await background(), "rgb(255, 255, 255)");
   await set("theme", "auto");
   await page.emulateMedia({ colorScheme: "dark" });
-  // The browser takes the scheme up with its next frame.
+  // The browser applies the scheme in its next frame.
   await page.waitForFunction(
     () => matchMedia("(prefers-color-scheme: dark)").matches,
   );
@@ -71,7 +71,7 @@ test("panels, theme, slots, parts and custom properties", async () => {
     .locator("header")
     .evaluate((node) => getComputedStyle(node).backgroundColor);
   assert.equal(bar, "rgb(9, 9, 9)");
-  // Every choice of panels fills the element, at every width.
+  // Every choice of panels fills the element at every width.
   for (const width of [1300, 800, 390]) {
     await page.setViewportSize({ width, height: 700 });
     for (const panels of [
@@ -151,7 +151,7 @@ test("a form gets the job and its validity, and puts it back", async () => {
   assert.ok(after.valid);
 });
 
-/** The control and the units of every element of the page, of its job and of its program, and which of the findings speak of them. */
+/** Control and units of every element of the page, of its job and its program, and the findings about them. */
 const asked = () =>
   page.evaluate(() =>
     [...document.querySelectorAll("touch-path")].map(
@@ -190,7 +190,7 @@ test("a control and units that the page asks for were lost with the first job th
       await element.ready;
     }
   }, BORE);
-  // 2 inch, as a job in inch has it.
+  // 2 inch, as in a job in inch.
   assert.deepEqual(
     await asked(),
     Array(5).fill(["fanuc", "inch", "fanuc", "inch"]),
@@ -200,7 +200,7 @@ test("a control and units that the page asks for were lost with the first job th
       ({ job }) => job?.cycle.type === "hole" && job.cycle.diameter,
     ),
   );
-  // In which units the job is read depends on what was asked for before it: set after it, units convert.
+  // Earlier requests determine the units in which the job is read; set after it, units convert.
   assert.deepEqual(sizes, [2, 2, 2, 2, 2]);
   // Every door through which a job comes in.
   const file = (/** @type {string} */ name, /** @type {string} */ text) =>
@@ -274,7 +274,7 @@ test("a job that names another control than the page asks for says so, to the us
   );
   await page.locator("#tab-checks").click();
   await page.getByText("this job specifies LinuxCNC").first().waitFor();
-  // Asked for again, it is taken: the job changes.
+  // Requested again, it is applied: the job changes.
   await set("post", "fanuc");
   await set("units", "mm");
   assert.deepEqual((await asked())[0], ["fanuc", "mm", "fanuc", "mm"]);
@@ -283,7 +283,7 @@ test("a job that names another control than the page asks for says so, to the us
     50.8,
     "the part is the same",
   );
-  // The user's choice is a job that names another one, too, and goes with the attribute.
+  // The user's choice is a job with another control, too, and is withdrawn with the attribute.
   await field("control.post").selectOption("haas");
   assert.deepEqual((await asked())[0]?.slice(2), ["haas", "mm", both[0]]);
   await on((element) => element.removeAttribute("post"));
@@ -391,7 +391,7 @@ test("an element has the language of its own lang, or that of what is around it"
     [await tab("own"), await tab("around"), await tab("none")],
     [de, ru, "Results"],
   );
-  // What an element says to the host page stays data: English, with what can be said in another language beside it.
+  // Texts for the host page stay data: English, with the parts for a translation.
   const said = await page.evaluate(() => {
     const own = /** @type {any} */ (document.querySelector("#own"));
     own.job = { ...own.job, overtravel: -1 };
@@ -403,7 +403,7 @@ test("an element has the language of its own lang, or that of what is around it"
   );
   assert.deepEqual(said.findings[0].said[1], ["Overtravel"]);
   assert.ok(said.message.includes(wordsOf("de").Overtravel), said.message);
-  // Another language later; none is that of what is around.
+  // Another language later; none means that of the surroundings.
   await page.evaluate(() => {
     const [own, none] = ["own", "none"].map(
       (id) => /** @type {HTMLElement} */ (document.getElementById(id)),
@@ -423,7 +423,7 @@ test("an element has the language of its own lang, or that of what is around it"
         ?.textContent === "Results",
   );
   assert.equal(await tab("around"), ru);
-  // What is around an element may change its language.
+  // The language of the surroundings may change.
   await page.evaluate(() => {
     document.documentElement.lang = "de";
     document.querySelector("section")?.removeAttribute("lang");
@@ -462,7 +462,7 @@ test("the language that is set last is shown, however late the words of the one 
         ?.shadowRoot?.querySelector("#tab-results")?.textContent === ru,
     ru,
   );
-  // Inside a shadow root of the host's own, the language of the host page is meant.
+  // Inside a shadow root of the host, the language of the host page counts.
   const german = await page.evaluate(async () => {
     const host = document.createElement("div");
     host.lang = "de-DE";

@@ -1,4 +1,4 @@
-// <touch-path> worked by the host page: what is put in and taken out beside the job, and the control of a form that libraries look for.
+// <touch-path> controlled by the host page: inputs and outputs besides the job, and its interface for form libraries.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { panel } from "./common.mjs";
@@ -6,7 +6,7 @@ import { field, inner, on, open, page, set, setUp } from "./element.mjs";
 
 setUp();
 
-/** Keeps the events of the first element, by name, in the order in which they come. */
+/** Records the events of the first element, by name, in order. */
 const LISTEN = `
   window.said = [];
   const names = ["job-change", "selection-change", "measured-change", "program-save", "input", "change", "load"];
@@ -47,13 +47,13 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   );
   await set("view", "front");
   await page.getByRole("button", { name: "Front", pressed: true }).waitFor();
-  // The picture is that which is looked at.
+  // The picture is the visible one.
   const { svg } = await import("touchpath");
   const shown = await on((element) => [element.picture(), element.job]);
   const path = (/** @type {string} */ text) => /<path[^>]*>/.exec(text)?.[0];
   assert.match(shown[0], /^<svg/);
   assert.ok(path(svg(shown[1], "front")) !== undefined);
-  // What the user does can be taken back from outside.
+  // The user's changes can be undone from outside.
   assert.deepEqual(await on((element) => [element.undo(), element.redo()]), [
     false,
     false,
@@ -66,7 +66,7 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   assert.equal(await on((element) => element.redo()), true);
   assert.equal(await on((element) => element.job.cycle.diameter), 33);
   await said();
-  // Saved from outside as by the button.
+  // Saved from outside like by the button.
   await page.evaluate(() =>
     document.addEventListener("program-save", (event) =>
       event.preventDefault(),
@@ -97,7 +97,7 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   assert.deepEqual(measured?.[1], { measured: "center.x=0.2" });
   await set("measured", null);
   assert.equal(await on((element) => element.measured), "");
-  // A move is lit, and what is none lights nothing.
+  // A move is highlighted, and an invalid one highlights nothing.
   for (const move of [2, -1, 1e9, 0.5, "x", null]) {
     await on((element, move) => element.highlight(move), move);
     assert.equal(
@@ -153,7 +153,7 @@ test("a control of a form as libraries look for it: value, type, labels, validit
   );
   assert.equal((await state())[5], 31);
   await said();
-  // A box: input with every key, change when it is left; each once.
+  // A text field: input at every key, change when it is left; each once.
   await field("cycle.diameter").focus();
   await said();
   await page.keyboard.press("Control+A");
@@ -169,7 +169,7 @@ test("a control of a form as libraries look for it: value, type, labels, validit
     (await names()).filter((name) => name === "change" || name === "input"),
     ["change"],
   );
-  // A choice is both at once.
+  // A choice fires both together.
   await page.locator('select[id="f-cycle.type"]').selectOption("boss");
   assert.deepEqual(
     (await names()).filter((name) => name === "change" || name === "input"),
@@ -265,7 +265,7 @@ test("boxes in the slots are the page's, words can be taken back, and the view h
     })
     .waitFor();
   assert.equal(await on((element) => element.getAttribute("panels")), null);
-  // The picture is that which was asked for, at once.
+  // The picture is the requested one, immediately.
   const sides = await on((element) => {
     const all = [];
     for (const one of ["top", "side"]) {

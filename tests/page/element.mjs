@@ -1,4 +1,4 @@
-// What the tests of <touch-path> share: a page of somebody else's, the package's files beside it, and nothing between them and the browser.
+// Shared by the tests of <touch-path>: a host page, the package's files beside it, and the real browser.
 import assert from "node:assert/strict";
 import {
   cpSync,
@@ -36,7 +36,7 @@ export let modules = [];
 export const POLICY =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types lit-html";
 
-/** The package in a folder that is served; a problem on a page fails its test. */
+/** The package in a served folder; a problem on a page fails its test. */
 export function setUp() {
   before(async () => {
     folder = mkdtempSync(join(tmpdir(), "touchpath-element-"));
@@ -51,7 +51,7 @@ export function setUp() {
     });
   });
   afterEach(async () => {
-    // Nothing is kept for the next test.
+    // No state is kept for the next test.
     if (page?.url().startsWith("http"))
       await page.evaluate(() => {
         for (const storage of [localStorage, sessionStorage]) storage.clear();
@@ -146,7 +146,7 @@ export const set = (/** @type {string} */ name, /** @type {unknown} */ value) =>
     [name, value],
   );
 
-/** Keeps the events of the first element, by name. */
+/** Records the events of the first element, by name. */
 export const LISTEN = `
   window.heard = [];
   const own = ["job-change", "plan-change", "program-save", "finding"];

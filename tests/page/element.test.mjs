@@ -1,4 +1,4 @@
-// <touch-path> as a page uses it: jobs in, events and copies out, what is refused, what the user cannot do.
+// <touch-path> in a page: jobs in, events and copies out, refusals, and limits of the user.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PICTURE } from "./common.mjs";
@@ -73,7 +73,7 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
     !said.some(([name]) => name === "job-change"),
     "a job that the page sets is no change by the user",
   );
-  // The same again, as a framework does with every rendering.
+  // Set again, as a framework does at every rendering.
   await set("job", await on((element) => element.job));
   assert.deepEqual(await heard(), []);
   await on((element) =>
@@ -228,7 +228,7 @@ test("readonly: nothing changes the job but the page around, and the program can
     .locator(`${inner("picture")} ${PICTURE}`)
     .boundingBox();
   assert.ok(canvas);
-  // The virtual part's handle is at the feature's own origin.
+  // The virtual part's handle is at the feature's origin.
   const spot = await page.evaluate((name) => {
     const picture = /** @type {any} */ (
       document.querySelector("touch-path")?.shadowRoot?.querySelector(name)
@@ -361,7 +361,7 @@ test("a host that returns each changed job late does not overwrite what is typed
 
 test("what is handed out are copies; points stay with their job, and no job is said to change with them", async () => {
   await open("<touch-path cycle=hole readonly></touch-path>", LISTEN);
-  // Of a job that can only be looked at, too, a log of the probe is taken: its points change no job.
+  // A read-only job accepts a log of the probe, too: its points change no job.
   const log = ["20 0", "0 20", "-20 0", "0 -20"]
     .map((at) => `${at} -10 0 0 0 0 0 0\n`)
     .join("");

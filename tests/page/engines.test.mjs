@@ -1,5 +1,5 @@
-// The main path in the engines other than Chromium's, each by its own WebDriver: the page is shown, a number is typed, the program is that of the package, the
-// picture is drawn. WebKit is what Safari and every browser on an iPad are made of.
+// The main path in other engines than Chromium's, each with its own WebDriver: the page is shown, a number is typed, the program equals that of the package,
+// the picture is drawn. Safari and every browser on an iPad use WebKit.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -23,7 +23,7 @@ const ENGINES = {
       capabilities: { alwaysMatch: { "moz:firefoxOptions": { args } } },
     };
   },
-  // It has no mode without a screen: it gets one that nobody sees.
+  // It has no headless mode, so it gets a virtual screen.
   WebKit: (port) => {
     const { driver, screen } = ensureWebKit();
     const command = [
@@ -58,7 +58,7 @@ for (const [name, driven] of Object.entries(ENGINES))
     let driver;
     let session = "";
 
-    /** Asks the driver. */
+    /** Sends a command to the driver. */
     async function ask(
       /** @type {string} */ method,
       /** @type {string} */ path,
@@ -94,7 +94,7 @@ for (const [name, driven] of Object.entries(ENGINES))
       server = await serve(0);
       const port = await freePort();
       const { command, capabilities } = driven(String(port));
-      // With a group of its own: the screen, the driver and the browser end together.
+      // In a process group: the screen, the driver and the browser end together.
       driver = spawn(command[0] ?? "", command.slice(1), {
         stdio: "ignore",
         detached: true,
@@ -125,7 +125,7 @@ for (const [name, driven] of Object.entries(ENGINES))
         await customElements.whenDefined("touch-path");
         await /** @type {any} */ (document.querySelector("touch-path")).ready;
       });
-      // By the keyboard, as a user types.
+      // By keyboard, like a user.
       await run(() =>
         document
           .querySelector("touch-path")

@@ -1,5 +1,5 @@
-// Several cycles in one program, as the page shows them: the list above the form, the boxes around it, the panels beside it.
-// What such a program says, and what renaming and removing do to it: tests/package/store-set-ups.test.mjs.
+// Several cycles in one program on the page: the list above the form, the parts around it, the panels beside it. For the program itself, and for renaming and
+// removing, see tests/package/store-set-ups.test.mjs.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -23,7 +23,7 @@ async function add(/** @type {string} */ type) {
   await page.getByRole("button", { name: "+ Add a feature" }).click();
   await page.locator(`tp-gallery [data-type="${type}"]`).click();
 }
-/** Shows from which results the axes are written. */
+/** Shows the sources of the written axes. */
 const written = () =>
   page.locator(".datum details").evaluate((node) => {
     /** @type {HTMLDetailsElement} */ (node).open = true;
@@ -52,7 +52,7 @@ test("a feature is a row of the list; of several the sentence of what is written
     await textOf(page.locator(".datum summary")),
     "X Y from BORE, Z from TOP, rotation from WALL → G54",
   );
-  // Chapters in the program, a table a cycle in the results, the numbers of touches begin anew.
+  // Chapters in the program, a table per cycle in the results, touch numbers start anew.
   assert.deepEqual(
     await page.locator("tp-program .chapter").allTextContents(),
     ["TOP", "WALL", "BORE"],
@@ -66,7 +66,7 @@ test("a feature is a row of the list; of several the sentence of what is written
     "3",
     "4",
   ]);
-  // A click on a line of another cycle brings it into the form.
+  // A click on a line of another cycle makes it active.
   await page.locator("tp-program .line.touch").first().click();
   assert.equal(await field("cycle.type").inputValue(), "surface");
   await list().nth(2).click();
@@ -125,7 +125,7 @@ test("the buttons of a cycle duplicate it, leave it out, take it in again and re
   assert.deepEqual(await names(), ["BORE", "BORE2"]);
 });
 
-/** The program, which its panel does not list while another one is shown. */
+/** The program, whose panel lists nothing while another one is shown. */
 const planned = () =>
   page.evaluate(
     () =>
@@ -158,7 +158,7 @@ test("tolerances are typed beside the results that they are of, with what they c
     await planned(),
     /\(ABORT,diameter is #<diameter>, not 25 to 25\.021\)/,
   );
-  // Of several cycles a result has the name of its own.
+  // In a set-up a result has a name with its cycle.
   await add("boss");
   await put("cycle.origin[0]", 120);
   assert.equal(await box("BORE.diameter").inputValue(), "H7");
@@ -252,7 +252,7 @@ test("results of earlier cycles and relations are proposed in the boxes that can
   assert.equal(await turn.inputValue(), "=WALL.rotation+90");
   const wide = await turn.evaluate((box) => box.scrollWidth <= box.clientWidth);
   assert.ok(wide, "the whole text can be read");
-  // Of two holes: their relations, and the place of a surface.
+  // With two holes: their relations, and the position of a surface.
   await button("Remove GROOVE").click();
   await add("surface");
   await put("cycle.origin[0]", -40);
@@ -266,7 +266,7 @@ test("results of earlier cycles and relations are proposed in the boxes that can
   assert.ok((await proposed("cycle.rotation")).includes("=REL1.rotation"));
   assert.ok((await proposed("cycle.origin[0]")).includes("=REL2.center.x"));
   assert.ok((await proposed("cycle.width")).includes("=REL1.distance"));
-  // The first cycle has nothing before it.
+  // The first cycle follows nothing.
   await list().first().click();
   assert.deepEqual(await proposed("cycle.origin[0]"), []);
 });
@@ -279,7 +279,7 @@ test("a stock is one block that fits the features, and an error in it leads to i
   const size = await field("stock.size[0]").inputValue();
   assert.ok(Number(size) > 60, size);
   assert.equal(await page.locator(".verdict .error").count(), 0);
-  // 6 mm more than the surface that is touched: the ball would be in the block.
+  // 6 mm more than the touched surface: the ball would be in the block.
   const height = Number(await field("stock.size[2]").inputValue());
   await put("stock.size[2]", height + 6);
   await page.locator(".fold", { hasText: "Stock and virtual part" }).click();

@@ -1,11 +1,11 @@
-// The first visit: the picture of its job is there with the first paint, before the module, and only where it is true.
+// The first visit: the picture of its job is part of the first paint, before the module, and only if it is true.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { context, page, ready, settles, setUp } from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
-/** A page of its own that waits for its module, or for what else is named, until it is let go. */
+/** A page that waits for its module, or another file, until it is released. */
 async function waiting(
   /** @type {string} */ address,
   locale = "de-DE",
@@ -173,7 +173,7 @@ test("what is typed before the module is there is not lost, and nothing else can
   await tab.keyboard.type("44");
   assert.equal(await width.inputValue(), "91.5");
   assert.equal((await stored(tab)).job.cycle.diameter, 40, "it waits");
-  // The program is that of before: it looks so, and is not handed out.
+  // The program is the previous one: it is marked as such, and cannot be saved.
   assert.equal(
     await tab.evaluate(() =>
       /** @type {any} */ (document.querySelector("touch-path")).save(),
@@ -295,7 +295,7 @@ test("the module comes in two parts: what needs the second one before it is ther
     const { job } = touchpath;
     touchpath.job = { ...job, control: { ...job.control, post: "sinumerik" } };
   });
-  // It is fetched with the page, and asked for once more by who cannot wait.
+  // It is loaded with the page, and requested once more by a call that cannot wait.
   await settles(async () => held.length > 0);
   const all = setInterval(() => {
     for (const go of held.splice(0)) go();

@@ -1,4 +1,4 @@
-// embed.html in a frame: a portal that is on its list, and pages that are not. Every message is held against the schema of the package.
+// embed.html in a frame: a portal on its list, and pages that are not. Every message is checked against the schema of the package.
 import assert from "node:assert/strict";
 import {
   cpSync,
@@ -38,7 +38,7 @@ const isSpoken = (/** @type {string} */ kind, /** @type {unknown} */ message) =>
     `${JSON.stringify(message).slice(0, 300)}: ${ajv.errorsText()}`,
   );
 
-/** What a frame in a sandbox needs, as the docs say. */
+/** Permissions of a frame in a sandbox, as in the docs. */
 const SANDBOX = "allow-scripts allow-same-origin allow-forms allow-downloads";
 
 before(async () => {
@@ -85,7 +85,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** A page with the frame in it, that keeps the messages of its window. */
+/** A page with the frame in it that records the messages of its window. */
 async function open(n = 1, name = "") {
   page = await browser.newPage({ viewport: { width: 1250, height: 760 } });
   await page.addInitScript(() => {
@@ -230,7 +230,7 @@ test("a control that the portal had set was lost with the next job that names no
     "mm",
     "sinumerik",
   ]);
-  // What is set at one time has no order: the cycle beside a job is its cycle.
+  // Inputs set together have no order: the cycle beside a job is its cycle.
   assert.deepEqual(
     await state(`{ job: { format: 1, name: "C" }, cycle: "groove" }`),
     ["sinumerik", "mm", "sinumerik"],
@@ -403,7 +403,7 @@ test("what cannot be used is answered with its reasons, and the conversation con
     ['{ panels: "form lid" }', /panels must be some of form, stage/],
     ['{ readonly: "yes" }', /readonly must be true or false/],
     ["{ job: null }", /the job cannot be used/],
-    // What is good beside it is not taken either.
+    // Valid inputs beside it are not applied either.
     [
       '{ job: { format: 1, cycle: { type: "boss" } }, post: "mazatrol", panels: "form" }',
       /post must be one of/,
@@ -460,7 +460,7 @@ test("a page that is not on the list is refused, whatever it sends", async () =>
   const heard = await page.evaluate(() => /** @type {any} */ (window).heard);
   assert.ok(heard.length > 0);
   for (const message of heard) isSpoken("refused", message);
-  // Without the client: no port is answered, and nothing is changed.
+  // Without the client: no port is answered, and nothing changes.
   const silent = await page.evaluate(async (origin) => {
     const frame = document.querySelector("iframe")?.contentWindow;
     const channel = new MessageChannel();
@@ -512,7 +512,7 @@ test("a frame without a list of origins refuses every page; another version of t
   );
   isSpoken("refused", refused);
   assert.match(/** @type {any} */ (refused).reason, /version 1/);
-  // As the package has it: the list is empty.
+  // As in the package: the list is empty.
   await page.evaluate(
     (src) => {
       const iframe = /** @type {HTMLIFrameElement} */ (
@@ -598,7 +598,7 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
     JSON.stringify(/** @type {any} */ (window).told).includes('"depth":"x"'),
   );
   await told();
-  // What is asked while it is loaded waits for it.
+  // Requests during the load wait for it.
   await on(
     `document.querySelector("iframe").addEventListener("load", () => { window.during = frame.get(); })`,
   );
@@ -635,7 +635,7 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
     (/** @type {any} */ one) => one.type === "program-save",
   ).detail;
   assert.equal(saved.name, "KEPT.nc", "the portal still saves by itself");
-  // Over another page, as one that logs in: the last page is the one that gets messages.
+  // With another page first, such as a login: the last page gets the messages.
   await frames
     ?.evaluate((name) => location.assign(name), `${origin(0)}/elsewhere.html`)
     .catch(() => undefined);
@@ -657,7 +657,7 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
     (await told()).filter((/** @type {any} */ one) => one.type === "load"),
     [{ type: "load", detail: { refused: null } }],
   );
-  // Another page in its place answers nothing, and a connection that is closed does not come back.
+  // Another page in its place answers nothing, and a closed connection does not return.
   await on("(frame.close(), 0)");
   await frames?.evaluate(() => location.reload()).catch(() => undefined);
   assert.match(

@@ -1,4 +1,4 @@
-// The setup sheet, and results as it prints them: under the names of their axes, with what deviations count from.
+// The set-up sheet, and results on it: with the names of their axes, and the reference of deviations.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -98,7 +98,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
       .map((line) =>
         line.startsWith(";") ? line.slice(2) : line.slice(1, -1),
       );
-    // The columns of the program do not break its sentences on paper.
+    // Sentences on paper are not broken at the columns of the program.
     const whole = said.split("\n").slice(1);
     assert.equal(whole.join(" "), wanted.join(" "), post);
     assert.equal(

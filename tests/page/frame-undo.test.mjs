@@ -1,4 +1,4 @@
-// Undo over everything: every step is taken back and comes again, by button and keyboard, and Reset asks first.
+// Undo of everything: every step is undone and redone, by button and keyboard, and Reset asks first.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

@@ -1,4 +1,4 @@
-// The frame around form, picture and panels: one sentence, links, names, what is typed, the timeline.
+// The frame around form, picture and panels: the sentence, links, names, input, the timeline.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -175,7 +175,7 @@ test("a control that does not take this cycle says why when it is chosen, and th
     );
   assert.deepEqual(options, ["heidenhain"]);
   await field("control.post").selectOption("heidenhain");
-  // By a click or a tap, where no pointer rests on an entry of a list.
+  // By a click or a tap: no pointer can hover over an entry of a list.
   await page
     .locator(".note", {
       hasText: /HEIDENHAIN TNC7 .* has no program for this cycle: .{20}/,
@@ -191,7 +191,7 @@ test("a control that does not take this cycle says why when it is chosen, and th
 });
 
 test("the bar reads as the job's sentence: what is written, under which name", async () => {
-  // Before, what was to be seen of it was "measures only, writes …".
+  // Before, only "measures only, writes …" was visible of it.
   assert.equal(
     await textOf(field("control.workOffset").locator("option:checked")),
     "measures only",
@@ -201,7 +201,7 @@ test("the bar reads as the job's sentence: what is written, under which name", a
     await textOf(field("control.workOffset").locator("option:checked")),
     "writes G54 X Y",
   );
-  // A cycle that measures nothing that it could write, and one that turns the offset, too.
+  // A cycle without a value to write, and one that also rotates the offset.
   await field("cycle.type").selectOption("nc-action");
   const writes = () =>
     textOf(field("control.workOffset").locator("option:checked"));
@@ -252,7 +252,7 @@ test("a link holds the whole job, and no server gets it", async () => {
   await tab.goto(link);
   await ready(tab);
   await tab.locator(".note", { hasText: "job of the link" }).waitFor();
-  // What is said of a job is not said of the one before it.
+  // A message about a job does not appear for the previous one.
   await tab.getByRole("button", { name: "Undo" }).click();
   await tab.locator(".note").waitFor({ state: "detached", timeout: 3000 });
   await tab.getByRole("button", { name: "Redo" }).click();
@@ -287,7 +287,7 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
       "base64url",
     );
   };
-  // As version 1 wrote it; it must be read for ever.
+  // As written by version 1; it must stay readable.
   const kept =
     "FcgxDoAgFETBu7yahtj92yCsUSPBIBaEcHfjlDM4y4oNtlJzaJh3xB4v_df6LYy9XMKRjpDVVLHFz-nICs9blTCYHw";
   const before = await job();
@@ -335,7 +335,7 @@ test("the timeline: play, pause, touch by touch, and the move in words with its 
   await page.keyboard.press("Space");
   await page.getByRole("button", { name: "Pause" }).waitFor();
   const one = await pixels();
-  // The ball is on its way.
+  // The ball is moving.
   await settles(async () => (await pixels()).sum !== one.sum);
   await page.getByRole("button", { name: "Pause" }).click();
   const still = await pixels();
@@ -375,7 +375,7 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
         return null;
       });
     });
-  // The name of width 1 is below or above the middle, once the pocket is drawn.
+  // The name of width 1 is below or above the middle once the pocket is drawn.
   await settles(async () => (await place()) !== null);
   const at = /** @type {{ x: number, y: number }} */ (await place());
   await page.mouse.click(at.x, at.y);
@@ -389,7 +389,7 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
   assert.equal(await looks(), "top");
   await field("cycle.depth").focus();
   await settles(async () => (await looks()) === "front");
-  // In front of the part width 2 is not seen, from above it is.
+  // Width 2 is not visible from the front, but from above.
   await field("cycle.width2").focus();
   await settles(async () => (await looks()) === "top");
 });
@@ -418,7 +418,7 @@ test("a note that a link was copied went on after the job was another one", asyn
   assert.match(await textOf(note), /Link copied/);
   await field("cycle.width1").fill("81");
   await note.waitFor({ state: "detached" });
-  // What is saved while the program is not seen is said all the same.
+  // A save while the program is hidden is still reported.
   await page.setViewportSize({ width: 900, height: 800 });
   await panel("results", page);
   await saveButton().click();

@@ -1,4 +1,4 @@
-// What is handed out is what the form says: with an error in it, nothing is.
+// Saved output always belongs to the form: with an error in it, nothing can be saved.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -48,7 +48,7 @@ test("HEIDENHAIN chosen after SINUMERIK: the SINUMERIK program was saved, and 'S
   assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Saved/);
   await field("control.post").selectOption("linuxcnc");
   assert.ok(await saveButton().isEnabled());
-  // A download that is asked for now would come behind those that were asked for before.
+  // A download that is requested now would follow those requested before.
   const download = page.waitForEvent("download");
   await saveButton().click();
   await download;
@@ -84,7 +84,7 @@ test("results of the form before an error say so", async () => {
   );
 });
 
-/** How much is shown of a plan: moves of the timeline, lines of the program, cells of the table and of the results. */
+/** Amount shown of a plan: moves of the timeline, lines of the program, cells of the table and of the results. */
 async function amount() {
   const counts = [Number(await page.locator("#timeline").getAttribute("max"))];
   for (const [tab, what] of /** @type {const} */ ([
@@ -105,7 +105,7 @@ test("a job with errors stood beside picture, program and results of the job bef
     }, job);
   const stamp = page.locator(".banner");
   assert.ok((await amount()).every((n) => n > 0));
-  // Its path can be drawn, though the control has no program for it.
+  // Its path can be drawn, although the control has no program for it.
   await give({
     format: 1,
     plane: "G18",
@@ -126,7 +126,7 @@ test("a job with errors stood beside picture, program and results of the job bef
   await stamp.waitFor({ state: "detached" });
   const good = await amount();
   assert.ok(good.every((n) => n > 0));
-  // A later error of the same job leaves its last valid plan to look at; another cycle has none of it.
+  // A later error of the same job keeps its last valid plan; another cycle has none.
   await put("stylus.diameter", -1);
   await stamp.filter({ hasText: "last valid plan" }).waitFor();
   assert.deepEqual(
@@ -137,7 +137,7 @@ test("a job with errors stood beside picture, program and results of the job bef
   await field("cycle.type").selectOption("web");
   await stamp.filter({ hasText: "No program: Ball diameter" }).waitFor();
   assert.deepEqual(await amount(), [0, 0, 0, 0]);
-  // After a reload nothing is known of how it was before the error.
+  // After a reload the state before the error is unknown.
   await page.reload();
   await stamp.filter({ hasText: "No program: Ball diameter" }).waitFor();
   assert.deepEqual(await amount(), [0, 0, 0, 0]);
@@ -242,7 +242,7 @@ test("a safety rule shows its lines in the program", async () => {
     );
   });
   assert.equal(lines.length, 4);
-  // Four lines are counted, fewer are named.
+  // Four lines are counted, fewer are listed.
   await rule.getByRole("button", { name: "4 lines" }).click();
   const marked = page.locator("tp-program .line.match");
   assert.deepEqual(
@@ -256,7 +256,7 @@ test("a safety rule shows its lines in the program", async () => {
   assert.ok(
     await page.locator(`tp-program [data-line="${lines[0]}"].here`).isVisible(),
   );
-  // Enter in the field goes on to the next of them, and of another program nothing is marked.
+  // Enter in the field goes to the next match, and another program has no marks.
   await page
     .getByRole("searchbox", { name: "Find in the program" })
     .press("Enter");

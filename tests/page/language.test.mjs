@@ -1,4 +1,4 @@
-// The languages of the page: chosen by the browser or by hand, kept, complete, and without room for a wrong number or another program.
+// Languages of the page: chosen by the browser or the user, stored, complete, and without wrong numbers or another program.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -46,7 +46,7 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
       words["Width 1"],
     );
     assert.equal(await program(), english, "a program is English always");
-    // A finding, in the line at the foot, in the help and at Save.
+    // A finding in the footer, in the help and at Save.
     await field("cycle.sideClearance1").fill("90");
     const message = await textOf(inside("tp-findings .verdict"));
     const said = /** @type {string} */ (
@@ -94,7 +94,7 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
             found.push(one.getAttribute(name) ?? "");
       };
       root.querySelector("tp-form").unfold();
-      /** Until nothing more comes: two frames in which the page stays as long as it was. */
+      /** Waits until nothing changes: two frames with the same length of the page. */
       const rest = async () => {
         for (let before = -1; before !== root.textContent.length; ) {
           before = root.textContent.length;
@@ -169,7 +169,7 @@ for (const [language, locale] of Object.entries({ en: "en-GB", ...LANGUAGES }))
           root.querySelectorAll("[role=tab]")
         )) {
           tab.click();
-          // The panel is there in the next frame, and laid out in the one after it.
+          // The panel exists in the next frame, and is laid out in the one after it.
           for (let frame = 0; frame < 2; frame++)
             await new Promise((done) => requestAnimationFrame(done));
           for (const selector of [
@@ -210,7 +210,7 @@ test("numbers are written as the language does, typed in either way, and unchang
     /80\.500/,
   );
   assert.match(await program(), /X40\.25\b|X4\d\.\d/, "a program has points");
-  // Points that are filled in to start from stay readable as points.
+  // Points that are filled in as a start stay readable as points.
   await panel("measured");
   await inside("details.measured button").first().click();
   assert.match(await inside("#measured").inputValue(), /^-?\d+\.\d+, /);
@@ -233,7 +233,7 @@ test("in a language with a comma a field that is only looked at stays as it is, 
     ),
     80,
   );
-  // What a user wrote is quoted as it was written.
+  // Text of a user is quoted as it was written.
   await put("plane", "1.5");
   assert.match(await textOf(inside("tp-findings .verdict")), /"1\.5"/);
 });
@@ -302,7 +302,7 @@ test("a language is chosen by hand, and kept", async () => {
   await page.reload();
   await ready();
   await page.getByRole("tab", { name }).waitFor();
-  // Another tab starts in it; back to English, nothing of it stays.
+  // Another tab starts in it; back in English, nothing of it stays.
   const other = await openTab();
   await other.getByRole("tab", { name }).waitFor();
   await page.locator("button[popovertarget=menu]").click();
@@ -344,7 +344,7 @@ test("the keys and the question before Reset are in the language, too", async ()
 
 test("the scale of a picture has the decimal sign of the language", async () => {
   await openIn("de-AT");
-  // What is written into pictures.
+  // Texts in pictures.
   await page.evaluate(() => {
     const own = /** @type {any} */ (globalThis);
     own.written = [];

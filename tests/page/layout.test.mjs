@@ -1,4 +1,4 @@
-// Nothing sticks out, nothing covers what has the focus, and a warning is seen.
+// Nothing extends beyond the window, nothing covers the focused element, and a warning is visible.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -32,7 +32,7 @@ for (const [width, height] of SIZES) {
       const panel = page.locator(`#${await tab.getAttribute("aria-controls")}`);
       assert.ok(await panel.isVisible());
     }
-    // What is cut off by a pane of its own does not widen the page: every part must end inside the window.
+    // Content that is clipped by its pane does not widen the page: every part must end inside the window.
     const beyond = await page.evaluate(() => {
       const root = /** @type {ShadowRoot} */ (
         document.querySelector("touch-path")?.shadowRoot
@@ -81,7 +81,7 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
     await open({ viewport: { width, height } });
     await field("cycle.depth").fill("-1");
     await field("cycle.width1").fill("-1");
-    // Of two units the one that is chosen has the focus.
+    // Of two units the chosen one has the focus.
     const reached =
       "tp-form :is(input:not([type=radio]:not(:checked)), select, button):visible:not(:disabled)";
     const fields = await page.locator(reached).count();
@@ -144,7 +144,7 @@ test("a warning was a closed line in the colour of text: it is counted and read 
 test("the page could run whatever script got into it: the policy refuses it, and the tests see it", async () => {
   const refused = await page.evaluate(async () => {
     const names = [];
-    // What the test itself runs may do anything; a task of the page may not.
+    // The test's own work may block; a task of the page may not.
     await new Promise((done) => setTimeout(done));
     const trials = {
       code: () => Reflect.construct(Function, ["1"]),
@@ -376,12 +376,12 @@ test("what had the focus and is gone leaves it to what is near, not to the start
       .press("Enter");
     await page.locator("tp-lentoax").waitFor();
   };
-  // The first time it is loaded: what has the focus meanwhile keeps it.
+  // On first use it is loaded: an element that gets the focus meanwhile keeps it.
   await lengths();
   assert.equal(await at(), "More");
   await page.getByRole("button", { name: "Back to the job" }).press("Enter");
   await settled("More");
-  // Then it is there at once, and the focus is where it was the first time.
+  // Then it appears immediately, and the focus is where it was the first time.
   await lengths();
   assert.equal(await at(), "More");
   await page.getByRole("button", { name: "Back to the job" }).press("Enter");
@@ -389,7 +389,7 @@ test("what had the focus and is gone leaves it to what is near, not to the start
   await field("cycle.width1").fill("81");
   await page.getByRole("button", { name: "Undo" }).press("Enter");
   await settles(async () => (await at()) !== null);
-  // What is there still, and was left by the user, does not get the focus back.
+  // An element that still exists, but that the user left, does not get the focus back.
   await field("cycle.width1").fill("82");
   const button = page.getByRole("button", { name: "Undo" });
   await button.click();

@@ -1,5 +1,5 @@
-// How the page looks at the widths and in the colours it is made for: screenshots, made small and grey, held against those that were looked at.
-// Fonts differ from machine to machine, so a few cells may; a panel that is gone, moved or of the wrong colour is many. `UPDATE=1` writes them.
+// The look of the page at its widths and in its colours: small grey screenshots, compared with reviewed ones. Fonts differ between machines, so a few cells may
+// differ; a panel that is missing, moved or of the wrong colour changes many. `UPDATE=1` writes them.
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -9,12 +9,12 @@ import { context, open, PICTURE, page, SIZES, setUp } from "./common.mjs";
 setUp();
 
 const FOLDER = at("tests", "snapshots", "page");
-/** A cell is about as large as a line of text is high. */
+/** A cell is about as large as a line of text. */
 const CELL = 20;
-/** By so many of 255 a cell may differ on average, and by more than `FAR` so many of 100 cells. */
+/** Mean difference of a cell allowed, of 255, and percentage of cells that may differ by more than `FAR`. */
 const [MEAN, FAR, FEW] = [3.5, 40, 5];
 
-/** The page when nothing of it changes any more: two screenshots are the same. */
+/** The page when it no longer changes: two screenshots are equal. */
 async function still() {
   await page.evaluate(
     () => /** @type {any} */ (document.querySelector("touch-path")).ready,
@@ -75,7 +75,7 @@ const greys = (/** @type {string[]} */ rows) =>
     (row.match(/../g) ?? []).map((x) => Number.parseInt(x, 16)),
   );
 
-/** How much two pictures differ: on average, and how many of 100 cells by much. */
+/** Difference of two pictures: mean, and percentage of cells that differ much. */
 function difference(
   /** @type {string[]} */ one,
   /** @type {string[]} */ other,
@@ -113,7 +113,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
         fits(off),
         `the page looks otherwise than in ${file}: ${JSON.stringify(off)}`,
       );
-      // What would be wrong is found: a panel that is gone, the other colours.
+      // Faults are found: a missing panel, the other colours.
       await page.evaluate(() =>
         document
           .querySelector("touch-path")

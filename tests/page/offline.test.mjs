@@ -1,4 +1,4 @@
-// Without a network: the page works, and a newer version of it is taken when the user says so.
+// Without a network: the page works, and switches to a newer version when the user asks for it.
 import assert from "node:assert/strict";
 import {
   cpSync,
@@ -29,7 +29,7 @@ import {
 
 setUp(undefined, "allow");
 
-/** Waits until the page's files are kept and its later parts are loaded: without the worker, as every first visit. */
+/** Waits until the page's files are stored and its later parts are loaded: without the worker, as on every first visit. */
 const kept = (tab = page) =>
   tab.evaluate(async () => {
     await navigator.serviceWorker.ready;
@@ -196,7 +196,7 @@ test("the language that was chosen is there without a network, and no other is l
   await page.goto(new URL("./", page.url()).href);
   await ready();
   await page.getByRole("tab", { name: german }).waitFor();
-  // One that was never wanted is not there: the page says so, and keeps the one that is.
+  // A file that was never requested is missing: the page reports it, and keeps the current language.
   await choose("ru");
   await page.locator("touch-path .note").waitFor();
   await page.getByRole("tab", { name: german }).waitFor();
@@ -217,7 +217,7 @@ test("the editor of opened programs: loaded with the first of them, there withou
   const editors = () =>
     asked.filter((path) => /\/program-editor-[^/]+\.js$/.test(path)).length;
   const short = "G21 G90\nG0 X0 Y0 Z20\nG38.2 Z-5 F100\nM2\n";
-  // So long that not every line is put into the document.
+  // So long that the document does not contain every line.
   const foreign = `${"(a line)\n".repeat(5000)}${short}`;
   const lines = async () =>
     (await page.locator("tp-viewer .line").allTextContents()).slice(0, 4);

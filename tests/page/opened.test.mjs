@@ -1,4 +1,4 @@
-// Jobs that come from outside: files, pasted texts, what the browser kept.
+// Jobs from outside: files, pasted texts, stored state.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -23,14 +23,14 @@ import {
 setUp();
 
 const note = () => textOf(page.locator(".note"));
-/** Everything that must agree: the form's cycle, the job that is held, the program's own words. */
+/** Everything that must agree: the form's cycle, the current job, the words of the program. */
 const cycles = async () => ({
   form: await field("cycle.type").inputValue(),
   held: await held("cycle.type"),
   program: /type (\d+):/.exec(await program())?.[1],
 });
 
-/** A job that the form cannot show: all kinds of them are in tests/package/store-opened.test.mjs. */
+/** A job that the form cannot show: tests/package/store-opened.test.mjs has all kinds. */
 const UNUSABLE = { format: 1, cycle: { type: "boss", touches: "abc" } };
 
 test("a file or a text that the form cannot show changes nothing, and its path is named", async () => {
@@ -244,7 +244,7 @@ test("a long text is read in a worker of the page's own, with the same answer as
     [],
     "nothing is left of what was said while it was read",
   );
-  // What is wrong with a text is said as it always is.
+  // Errors of a text are reported as always.
   const wrong = `${" ".repeat(300_000)}{"format":3,"cycle":{"type":"hole"}}`;
   await openText(wrong);
   await settles(async () => /Nothing was changed/.test(await note()));
@@ -287,7 +287,7 @@ test("the run of a long program froze the page: it runs in a worker, and what wa
   const viewer = page.locator("tp-viewer");
   await viewer.getByText("No broken rule was found").waitFor();
   assert.equal(await viewer.locator(".running").count(), 0);
-  // What is entered runs it again.
+  // An input runs it again.
   await viewer.locator("#start-2").fill("10");
   await viewer.locator("#start-2").press("Tab");
   const end = () =>
@@ -296,7 +296,7 @@ test("the run of a long program froze the page: it runs in a worker, and what wa
 });
 
 test("of two texts the one that was opened last counts, whichever is read first", async () => {
-  // Both in one task; the first is read for longer, and so is its file.
+  // Both in one task; reading the first takes longer, and so does its file.
   await page.evaluate(
     async ([first, second]) => {
       const { intake } = /** @type {any} */ (
@@ -324,7 +324,7 @@ test("a job that the page around sets while a long text is read was overwritten 
 });
 
 test("a worker whose text is of no use any more ran to its end", async () => {
-  // Workers that read and never answer.
+  // Workers that never answer.
   await page.evaluate(() => {
     const counts = Object.assign(globalThis, { workers: 0 });
     const { Worker } = globalThis;

@@ -1,4 +1,4 @@
-// A program that calls native cycles: the picture shows their path, the lines are the calls, the results have the control's names.
+// A program of native cycles: the picture shows their path, the lines are the calls, the results have the control's names.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -100,7 +100,7 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
     "nothing else is asked before a tool is named",
   );
   await box("Tool offset").fill("5");
-  // Key by key: a decimal is on its way at every one of them.
+  // Key by key: a decimal is incomplete at each of them.
   await box("Percent of the error").pressSequentially("50");
   await box("Dead band").pressSequentially("0,005");
   assert.deepEqual(
@@ -118,7 +118,7 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
     await textOf(asked.locator("option:checked")),
     "corrects tool offset 5",
   );
-  // What is no number stays where it was typed, and is reported.
+  // Text that is no number stays where it was typed, and is reported.
   await box("Tool offset").fill("five");
   await settles(
     async () =>
@@ -126,14 +126,14 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   );
   assert.equal(await box("Tool offset").inputValue(), "five");
   await box("Tool offset").fill("5");
-  // Another tolerance may be typed from nothing: the tool stays.
+  // Another tolerance may be typed from an empty field: the tool stays.
   const tolerance = page.getByRole("textbox", {
     name: /^Tolerance of diameter/,
   });
   await tolerance.fill("");
   await tolerance.fill("±0.04");
   await settles(async () => (await text()).includes("T5. F0.5 V0.0025"));
-  // Without a tool nothing is left of it.
+  // Without a tool no part of it stays.
   for (const name of ["Dead band", "Percent of the error", "Tool offset"])
     await box(name).fill("");
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));

@@ -1,4 +1,4 @@
-// The panels beside the form, as they follow it: the program, its parameters, its results, the checks.
+// The panels beside the form: the program, its parameters, its results, the checks.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -35,7 +35,7 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
     (await page.locator(".timeline output").textContent()) ?? "",
     /^touch 1 · contact X37 Y0 Z-10 · F150$/,
   );
-  // A click keeps it lit; one beside the lines changes nothing.
+  // A click selects it; one beside the lines changes nothing.
   await page.locator("tp-program .line", { hasText: "G38.2 X42" }).click();
   await page.locator("tp-program .step").nth(3).click();
   await page.getByRole("tab", { name: "Program" }).hover();
@@ -71,7 +71,7 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
 
 test("each touch of a point that is touched three times lights up the rows of the point", async () => {
   await openText('{"format":1,"cycle":{"type":"hole","repeat":{"times":3}}}');
-  // A file is read after its field has it: the plan is awaited, or the touches pointed at are those of the job before.
+  // A file is read after its field has it: the test waits for the plan, or it would point at touches of the previous job.
   await settles(() =>
     page.evaluate(() => {
       const { store } = /** @type {any} */ (
@@ -234,7 +234,7 @@ test("all moves are listed in words, and the list is of the form", async () => {
   await panel("measured");
   await page.getByText("All moves in words").click();
   const words = page.locator("tp-measured .moves li");
-  // What is folded is filled in once the browser says that it is open.
+  // A folded section is filled once the browser reports it open.
   await words.first().waitFor();
   assert.equal(
     await words.count(),
@@ -346,7 +346,7 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
   assert.ok(before > 0);
   await put("stylus.repeatability", 0.002);
   assert.ok(Math.abs((await spread()) - 2 * before) < 0.1);
-  // Too small: left of what is good, and said to be so.
+  // Too small: left of the good range, and labelled so.
   await put("part", {
     offset: [0, 0, 0],
     rotation: 0,
@@ -377,7 +377,7 @@ test("two tolerances of one size are put right where the error leads to", async 
   );
   assert.equal(await box.inputValue(), "±0.1");
   await box.fill("");
-  // What follows from it stays, and holds for the size.
+  // Its action stays, and applies to the size.
   assert.deepEqual(
     await page.evaluate(() => {
       const { store } = /** @type {any} */ (
@@ -408,7 +408,7 @@ test("the words of a program have colours, those of the program that is shown", 
     }, kind);
   await settles(async () => (await coloured("code")).includes("G38.3"));
   await settles(async () => (await coloured("variable")).includes("#5070"));
-  // Of the lines in sight only: those of the folded header and of the end come when they are seen.
+  // Only visible lines: those of the folded header and of the end are coloured when they become visible.
   await settles(async () => {
     const all = [...(await coloured("comment")), ...(await coloured("code"))];
     return !all.includes("(Job: POCKET-80X50)") && !all.includes("M2");
@@ -421,14 +421,14 @@ test("the words of a program have colours, those of the program that is shown", 
     (await coloured("comment")).includes("(Job: POCKET-80X50)"),
   );
   await page.getByRole("button", { name: /header/ }).click();
-  // Those of another program take their place: nothing of the first is left.
+  // Those of another program replace them: nothing of the first stays.
   await field("control.post").selectOption("sinumerik");
   await settles(async () => (await coloured("code")).includes("STOPRE"));
   assert.ok(
     !(await coloured("code")).includes("G38.3") &&
       !(await coloured("variable")).includes("#5070"),
   );
-  // Typing leaves none behind: all that were there give way, and no words are coloured twice.
+  // Typing leaves none behind: all are replaced, and no words are coloured twice.
   await page.evaluate(() => {
     const code = [.../** @type {any} */ (CSS.highlights.get("touchpath-code"))];
     Object.assign(globalThis, { before: new Set(code) });
@@ -486,7 +486,7 @@ test("a program is compared with the one saved last and with the other form of i
       more.some((text) => /X43 /.test(text)),
     `${less} ${more}`,
   );
-  // Without the lines of the other, each program is whole.
+  // Without the lines of the other, each program is complete.
   const all = await page
     .locator("tp-program .differences .line")
     .evaluateAll((lines) =>
@@ -503,7 +503,7 @@ test("a program is compared with the one saved last and with the other form of i
     await textOf(page.locator("tp-program .compared [role=status]")),
     /^\d+ lines only here, \d+ lines only there$/,
   );
-  // The control's other form: its own words are there. Another control's program has no line in common: it is not offered.
+  // The control's other form has its own words. Another control's program has no line in common, so it is not offered.
   await field("control.post").selectOption("haas");
   await choice.selectOption("form");
   await settles(async () =>
@@ -515,7 +515,7 @@ test("a program is compared with the one saved last and with the other form of i
       all.map((one) => /** @type {HTMLOptionElement} */ (one).value),
     );
   assert.deepEqual(offered, ["", "saved", "form"]);
-  // A control with one form: nothing is left to compare with, and the program is there.
+  // A control with one form: nothing is left to compare with, and the program is shown.
   await field("control.post").selectOption("linuxcnc");
   await page.locator("tp-program .code[role=listbox]").waitFor();
   assert.equal(await shown.count(), 0);
@@ -527,7 +527,7 @@ test("a program is compared with the one saved last and with the other form of i
   await field("control.post").selectOption("haas");
   await choice.selectOption("form");
   await shown.first().waitFor();
-  // Side by side: each column is its whole program, and lines that replace others are beside them.
+  // Side by side: each column is its whole program, with replacing lines beside each other.
   await page.getByRole("button", { name: "Side by side" }).click();
   const rows = page.locator("dialog.beside tbody tr");
   const column = async (/** @type {number} */ n) =>

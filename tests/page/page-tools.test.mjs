@@ -1,4 +1,4 @@
-// What the bar and the menu open and take in: gallery, tool lengths, a job out of a file or a pasted text.
+// Tools of the bar and the menu: gallery, tool lengths, a job from a file or a pasted text.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { AxeBuilder } from "@axe-core/playwright";

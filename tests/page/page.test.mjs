@@ -1,4 +1,4 @@
-// The served page in Chromium, as a user works with it.
+// The served page in Chromium, used like by a user.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -271,7 +271,7 @@ test("every cycle has a plan on the page, and its steps light up with the move",
         lit.length > 0 && lit.every((text) => text === steps[step - 1]),
         `${type}: ${lit} at ${said}`,
       );
-      // The lit line comes under the heading of that step.
+      // The highlighted line is under the heading of that step.
       const over = await page
         .locator("tp-program [aria-selected=true]")
         .locator("..")
@@ -349,11 +349,11 @@ for (const [colorScheme, width, height] of /** @type {const} */ ([
   test(`no serious accessibility problem at ${width} px, ${colorScheme}, also with errors`, async () => {
     await open({ viewport: { width, height }, colorScheme });
     const violations = async () => {
-      // The page has no frames, which the other mode asks for one by one: it takes five times as long.
+      // The page has no frames, which the other mode would check one by one: it takes five times as long.
       const axe = new AxeBuilder({ page })
         .setLegacyMode()
         .options({ resultTypes: ["violations"] });
-      // Of the dark page only the colours are others.
+      // In dark mode only the colours differ.
       if (colorScheme === "dark") axe.withRules("color-contrast");
       const { violations } = await axe.analyze();
       return violations

@@ -1,4 +1,4 @@
-// What is dragged in the picture: the part and the ends of dimensions stay under the pointer.
+// Dragging in the picture: the part and the ends of dimensions stay under the pointer.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -36,7 +36,7 @@ const handle = (/** @type {string} */ name) =>
     });
   }, name);
 
-/** Drags from a place by so many pixels. */
+/** Drags from a position by this many pixels. */
 async function drag(
   /** @type {{x: number, y: number}} */ from,
   /** @type {number} */ dx,
@@ -78,7 +78,7 @@ for (const steps of [1, 10]) {
 test("a dragged part ran away where errors came up under an open list: the canvas keeps its height", async () => {
   await field("feeds.work").fill("1500");
   const { x, y, scale, height } = await handle("shift");
-  // So far that touches no longer meet their walls.
+  // So far that touches no longer reach their walls.
   await drag({ x, y }, 90, -70, 12);
   await page.locator("tp-badge .badge", { hasText: /^[2-9]/ }).waitFor();
   assert.equal((await handle("shift")).height, height);
@@ -116,7 +116,7 @@ for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
     const [a, b] = (await dimensionLines())[path];
     const [from, other] = end === 1 ? [b, a] : [a, b];
     const before = Number(await field(path).inputValue());
-    // Outwards along the line, and a little beside it.
+    // Outwards along the line, and slightly beside it.
     const length = Math.hypot(from.x - other.x, from.y - other.y);
     const way = {
       x: ((from.x - other.x) / length) * 30,
@@ -126,13 +126,13 @@ for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
     const after = Number(await field(path).inputValue());
     assert.ok(after > before, `${after} > ${before}`);
     const now = (await dimensionLines())[path][end];
-    // A value is as exact as a pixel; beside its own direction a line makes room for what grows.
+    // A value is as exact as a pixel; perpendicular to its direction a line makes room for a growing value.
     const off =
       ((now.x - from.x - way.x) * way.x + (now.y - from.y - way.y) * way.y) /
       30;
     assert.ok(Math.abs(off) < 1.6, JSON.stringify({ from, way, now }));
     await page.mouse.up();
-    // One step back, and the picture may be fitted again.
+    // One undo step, and the picture may be fitted again.
     await page.keyboard.press("Control+z");
     assert.equal(Number(await field(path).inputValue()), before);
   });
@@ -196,7 +196,7 @@ test("a slow drag of a dimension's end is a drag, and one into an error can be d
   const wide = Number(await field("cycle.width1").inputValue());
   assert.ok(wide > 82, `${wide}`);
   await page.keyboard.press("Control+z");
-  // Narrower than twice the clearance there is no job: the value follows all the same, and comes back.
+  // Narrower than twice the clearance there is no job: the value still follows, and returns.
   const [, again] = (await dimensionLines())["cycle.width1"];
   await drag(again, -280, 0, 10);
   assert.ok((await page.locator("tp-findings .verdict.error").count()) > 0);

@@ -1,4 +1,4 @@
-// The picture: what is drawn, how often, where it looks from, what it leaves behind.
+// The picture: its contents, redraws, view, and cleanup.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { catalog } from "touchpath";
@@ -139,7 +139,7 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
 });
 
 test("a View of a broken instance stopped the page: the picture makes itself a new one", async () => {
-  // A canvas whose 2D context throws: the exception goes through the module and breaks its instance.
+  // A canvas whose 2D context throws: the exception passes through the module and breaks its instance.
   const before = await pixels();
   await page.evaluate(() => {
     const root = /** @type {ShadowRoot} */ (
@@ -264,7 +264,7 @@ test("each change is planned once, and the picture is drawn once a frame", async
       width,
       height,
     ) {
-      // A picture begins with its background.
+      // A picture starts with its background.
       if (x === 0 && y === 0 && width === this.canvas.clientWidth) own.drawn++;
       fillRect.call(this, x, y, width, height);
     };
@@ -337,7 +337,7 @@ test("each change is planned once, and the picture is drawn once a frame", async
     [1, 3],
     "three jobs of a host in a frame, each rendered",
   );
-  // The small drawing of the cycle in the bar takes its colours and its size at once, one by one.
+  // The small drawing of the cycle in the bar gets its colours and its size immediately, one by one.
   assert.deepEqual(
     await count(() => page.emulateMedia({ colorScheme: "dark" })),
     [1 + 2, 0],
@@ -415,7 +415,7 @@ test("in front of 1411 the names of its diameters lay on each other on a phone: 
                   d,
                 ],
               ) => {
-                // Along its line a name takes about so many pixels to both sides.
+                // Half length of a name along its line, pixels.
                 const far = Math.hypot(c - a, d - b) || 1;
                 const [x, y] = [(40 * (c - a)) / far, (40 * (d - b)) / far];
                 const at = (/** @type {number} */ way) =>

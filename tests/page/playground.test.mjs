@@ -1,4 +1,4 @@
-// The playground among the examples: what is set there is set on the element, and the code that it writes is code.
+// The playground among the examples: its settings are applied to the element, and its code is valid.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -141,7 +141,7 @@ test("panels apart have the job as it was", async () => {
   assert.deepEqual(problems, []);
 });
 
-/** What would end a script, a text or a template. */
+/** Text that would end a script, a text or a template. */
 const AWKWARD = "</script><b>\"'`$" + "{x}\\";
 
 test("the code for six frameworks is code of each, with and without a config, together and apart", async () => {
@@ -198,7 +198,7 @@ test("the code for six frameworks is code of each, with and without a config, to
         seen.add(text);
       }
     }
-  // A frame shows one element: apart or not.
+  // A frame shows one element, with separate panels or not.
   assert.equal(seen.size, 22);
   assert.deepEqual(problems, []);
 });

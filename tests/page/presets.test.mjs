@@ -1,4 +1,4 @@
-// Named presets: what belongs to a machine, kept, used, taken along. What of a job that is: tests/package/store-presets.test.mjs.
+// Named presets of a machine: stored, used, exported. For their contents see tests/package/store-presets.test.mjs.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

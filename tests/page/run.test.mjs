@@ -1,4 +1,4 @@
-// An opened program is run with what its user knows: what it reads is asked for, and the verdict has its lines.
+// An opened program is run with the user's inputs: it lists the variables that it needs, and the verdict has its lines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -14,7 +14,7 @@ import {
 
 setUp();
 
-/** The way of the touch is 20, from 10 to −10. */
+/** The touch moves by 20, from 10 to −10. */
 const MACRO = `o<edge> sub
 G21 G90
 G38.2 X[0 - #1] F50
@@ -60,7 +60,7 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
     await enter(/** @type {string} */ (id), /** @type {string} */ (text));
   await page.locator("#meets-at").selectOption("half");
   await settles(async () => (await painted("tp-viewer", "touch")).count > 0);
-  // A field that is wrong stays, and changes nothing.
+  // A field with an error stays, and changes nothing.
   await enter("ask-#1", "ten");
   assert.equal(
     await page.locator('[id="ask-#1"]').getAttribute("aria-invalid"),
@@ -72,7 +72,7 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
   });
   assert.match(await textOf(rule), /^A\s.*Line 6/s);
   await rule.getByRole("button", { name: "Line 6" }).click();
-  // Opened again, it is known by the name of its file.
+  // Opened again, it is recognised by its file name.
   await page.getByRole("button", { name: "Back to the job" }).click();
   await openText(MACRO, "edge.ngc");
   await viewer.waitFor();
@@ -92,27 +92,27 @@ test("a routine that computes with its touches was drawn up to the first of them
   await viewer.waitFor();
   const moves = async () =>
     viewer.evaluate((node) => [.../** @type {any} */ (node).moves.to]);
-  // The second touch goes to twice the place of the first.
+  // The second touch moves to twice the position of the first.
   assert.deepEqual((await moves()).slice(-3), [18, 40, -5]);
   assert.match(
     await textOf(viewer.locator(".assumed")),
     /start, work offsets and tool length 0, and the trigger points/,
   );
-  // What it writes is listed, with its line.
+  // Its writes are listed, with their lines.
   assert.match(
     await textOf(viewer.locator(".writes")),
     /^\s*G54 X 0, Y 0\s+Line 9/,
   );
-  // What is wrong with it comes first, with its line.
+  // Faults come first, with their lines.
   assert.match(await textOf(viewer.locator(".said")), /^\s*3 faults.*Line 9/s);
   assert.match(
     await textOf(page.locator(".sentence")),
     /^Read routine\.ngc as LinuxCNC: 6 moves, 2 of them touches$/,
   );
-  // What is typed takes the place of what is assumed.
+  // An input replaces an assumption.
   await page.locator("#meets-at").selectOption("half");
   await settles(async () => (await moves()).at(-2) === 20);
-  // The start is still assumed, and only what was entered is kept.
+  // The start is still assumed, and only inputs are stored.
   assert.equal(await viewer.locator(".assumed").count(), 1);
   assert.match(
     await page.evaluate(() => localStorage["touchpath.programs.1"]),
@@ -133,7 +133,7 @@ test("faults and touches had no place in the program: letters and numbers are in
           ]),
         name,
       );
-  // Lines of their own, then so many that the editor lists them.
+  // Separate lines first, then so many that the editor lists them.
   for (const end of ["M2\n", `M2\n${"( )\n".repeat(6000)}`]) {
     await openText(`${text}${end}`, `marks${end.length}.ngc`);
     await page.locator("tp-viewer [data-touch]").first().waitFor();
@@ -159,7 +159,7 @@ test("faults and touches had no place in the program: letters and numbers are in
 });
 
 test("a program that checks its touches is not run to its alarm by what is assumed", async () => {
-  // At its target the touch would be a miss: half way the program comes to its end.
+  // At its target the touch would be a miss: half-way the program ends.
   await openText(
     "%\nO1\nG21 G90 G17 G94\nG91 G28 Z0\nG90 G0 X10 Y10\nG43 H1 Z50.\nG31 Z-10. F100\nIF [#5063 LT -9.9] GOTO 99\nG0 Z50.\nG0 X30.\nM30\nN99 #3000=1 (MISSED)\nM30\n%\n",
     "checks.nc",
@@ -273,7 +273,7 @@ test("on a phone the form was not there: it had the class of something that make
 });
 
 test("a part that lies off could not be put into the picture: by hand, and the program runs on it", async () => {
-  // From 0 towards 60: a wall at 20, which lies 2 off, is met by a ball of 6 at 19.
+  // From 0 towards 60: a wall at 20, displaced by 2, is touched by a ball of 6 at 19.
   await openText(
     "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",
     "hand.ngc",
@@ -297,7 +297,7 @@ test("a part that lies off could not be put into the picture: by hand, and the p
     /Line 5: .* Y19 Z-5/,
   );
   await settles(async () => (await painted("tp-viewer", "actual")).count > 0);
-  // A part that cannot be says why, and its fields stay.
+  // An invalid part has a finding, and its fields stay.
   await enter("hand-ball", "-1");
   assert.match(
     await textOf(page.locator("tp-viewer .notes .warning")),

@@ -1,4 +1,4 @@
-// What was seen on the page by someone who did not know it, and is mended: a test each.
+// Problems that a new user found on the page, with a test each.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -71,7 +71,7 @@ test("the picture was fitted anew at each keystroke: what is edited keeps its sc
       `${width}: ${now} pixels`,
     );
   }
-  // There and back again it is about as large as it was, and a part that is moved far is near the middle again.
+  // Back again it is about as large as it was, and a part that is moved far is near the middle again.
   await field("cycle.width1").fill("140");
   await field("cycle.width1").fill("80");
   assert.ok(Math.abs((await lengthOf("cycle.width1")) / 80 / scale - 1) < 0.3);
@@ -304,7 +304,7 @@ test("buttons of the picture and the timeline are as wide as a finger on a phone
 });
 
 test("what was typed last is there after a reload, though it is written a moment later", async () => {
-  // Of the page's clock no time passes: only leaving the page writes.
+  // The page's clock is stopped: only leaving the page writes.
   await page.clock.install();
   await page.clock.pauseAt(Date.now() + 60_000);
   await page.evaluate(() => sessionStorage.clear());

@@ -1,4 +1,4 @@
-// What a setter meets: three answers, no more than is needed, words of the trade, a tablet. The tasks are those that users were watched at.
+// A setter's view: three answers, few controls, words of the trade, a tablet. The tasks come from observed users.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -16,14 +16,14 @@ import {
 
 setUp({ width: 1440, height: 900 });
 
-/** The page as a visitor has it: nothing is unfolded, nothing of CAM is shown. */
+/** The page as a visitor has it: nothing is unfolded, nothing for CAM is shown. */
 const asVisitor = async (
   /** @type {import("playwright-core").BrowserContextOptions} */ options = {},
 ) => {
   await open({ viewport: { width: 1440, height: 900 }, ...options });
   await page.evaluate(() => localStorage.clear());
   await page.evaluate(() => sessionStorage.clear());
-  // What is left is written when the page goes: it must not find it again.
+  // The state is written when the page is left: the next load must not find it.
   await page.addInitScript(() => {
     if (sessionStorage.getItem("fresh")) return;
     localStorage.clear();
@@ -42,7 +42,7 @@ const tabs = () =>
   page.locator("[role=tab] > span:first-child").allTextContents();
 const groups = () => page.locator("tp-form .group h2 b").allTextContents();
 
-/** How much a page shows at once: what can be worked, and words. */
+/** Amount that a page shows: controls and words. */
 const shown = () =>
   page.evaluate(() => {
     const root = /** @type {ShadowRoot} */ (
@@ -100,7 +100,7 @@ test("a first visit is a bore with five fields and three doors beside it; what C
   assert.equal(await field("cycle.type").locator("option").count(), 19);
   await asVisitor();
   assert.ok(!(await groups()).includes("Picked touches"));
-  // A dump in the clipboard: pasted beside every field it is opened.
+  // A dump in the clipboard: pasted outside of fields it is opened.
   await page.evaluate(() => {
     const data = new DataTransfer();
     data.setData(
@@ -162,7 +162,7 @@ test("each cycle and each control has its page, one click away from where it is 
   await field("control.post").selectOption("sinumerik");
   const mark = page.locator("tp-findings .control-notes");
   assert.match(await textOf(mark), /Not yet run on this control/);
-  // The foot is about this job: what holds for the control always is not in it.
+  // The footer is about this job: it omits general notes on the control.
   assert.doesNotMatch(
     await textOf(page.locator("footer")),
     /recalled|not verified/,
@@ -325,7 +325,7 @@ test("the program shows its moves and four touches; what checks and computes sta
         .allTextContents()
     ).join("\n");
     assert.doesNotMatch(shown, /GOTO|STOPRE|endif/, post);
-    // Nothing is lost: a run opens by a click, all of them by the button.
+    // Nothing is lost: a click opens a run, the button all of them.
     const all = await page.evaluate(
       () =>
         /** @type {any} */ (
@@ -381,7 +381,7 @@ test("a browser in zh-CN has simplified Chinese", async () => {
   assert.equal((await tabs())[0], "结果");
 });
 
-/** Counts clicks and keys as a user makes them. */
+/** Counts clicks and keys of a user. */
 function counted() {
   let [clicks, keys] = [0, 0];
   return {
@@ -389,7 +389,7 @@ function counted() {
       clicks++;
       await where.click();
     },
-    // A list opens by one click, and its entry is a second one.
+    // One click opens a list, a second one chooses its entry.
     choose: async (
       /** @type {import("playwright-core").Locator} */ list,
       /** @type {string} */ label,

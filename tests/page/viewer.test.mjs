@@ -1,4 +1,4 @@
-// Programs that no job can be made of: their moves are drawn, and the job in the form stays.
+// Programs without a job: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -51,7 +51,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   await viewer.getByRole("button", { name: "front" }).click();
   for (const colour of ["touch", "link", "position"])
     assert.ok((await painted("tp-viewer", colour)).count > 0, colour);
-  // What is pointed at says its line.
+  // The item under the pointer shows its line.
   const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
   let told = "";
@@ -93,12 +93,12 @@ test("a probing move that is looked at along its way was not seen: it is a dot w
   dot(await across(5205, `${head}${probing}${far.repeat(2600)}M2\n`));
 });
 
-/** Nothing of the job is changed or handed out; the menu is open afterwards. Gives how often something was saved since. */
+/** Nothing of the job can be changed or saved; the menu is open afterwards. Returns the number of saves since then. */
 async function held() {
   const buttons = page.getByRole("button", {
     name: /^(Undo|Save \S+\.ngc)$/,
   });
-  // An opened program has its own sentence at the head, and no Save beside it.
+  // An opened program has its own sentence at the top, and no Save beside it.
   const disabled = await buttons.evaluateAll((all) =>
     all.map((b) => /** @type {HTMLButtonElement} */ (b).disabled),
   );
@@ -137,7 +137,7 @@ test("an opened program stood under “No problems found”, and Save handed out
   assert.doesNotMatch(await textOf(verdict), /Ready|27 moves/);
   assert.match(await textOf(verdict), /Not checked, not proven/);
   const saved = await held();
-  // Escape closes the menu, is its own in what the host page has put in, and then leads back to the job.
+  // Escape closes the menu, belongs to the host page in its slot, and then leads back to the job.
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor();
   await page.evaluate(() => {
@@ -237,7 +237,7 @@ test("a file that is dropped on the page was opened by the browser in its place"
 test("a program that was refused was not shown: its text is, with the reason, also where nothing of it moves", async () => {
   const before = await program();
   const viewer = page.locator("tp-viewer");
-  // A subroutine that nothing calls is shown, its text too.
+  // A subroutine without a caller is shown, with its text.
   await openText(
     "o<edge> sub\n  o10 if [#5400 NE #3101]\n    (abort, wrong tool)\n  o10 endif\n  G91\n  G38.2 X-[#<reach>] F[#2]\no<edge> endsub\n",
     "edge.ngc",
@@ -247,7 +247,7 @@ test("a program that was refused was not shown: its text is, with the reason, al
     await textOf(viewer.locator(".timeline output")),
     /^1 moves, 1 of them probing/,
   );
-  // What the importer does not take is said of a text that does not run.
+  // Text that the importer rejects is reported for a text that does not run.
   assert.doesNotMatch(await textOf(viewer.locator(".notes")), /LinuxCNC/);
   await page.getByRole("button", { name: "Back to the job" }).click();
   await openText("G21;G91;G38.2 Z-17 F70;G0 Z2\n", "macro.nc");
@@ -297,14 +297,14 @@ test("a long program: only lines that are seen are in the document; a line and i
   await lines.first().waitFor();
   assert.ok((await lines.count()) < 300, String(await lines.count()));
   const told = () => textOf(viewer.locator(".timeline output"));
-  // Words far below are found, and their line is brought into sight.
+  // Words far below are found, and their line is scrolled to.
   await viewer.getByLabel("Find in the program").fill("n15000 ");
   const found = viewer.locator(".line.here");
   await found.waitFor();
   assert.equal(await textOf(found), "N15000 G1 X196 Y74 F500");
   assert.equal(await found.getAttribute("data-number"), "15000");
   assert.equal(await textOf(viewer.locator(".status-text.found")), "1 of 1");
-  // The line says its move, and the picture the line of a move.
+  // The line shows its move, and the picture the line of a move.
   await found.hover();
   assert.equal(await told(), "Line 15000: feed to X196 Y74 Z5 at 500");
   assert.equal(
@@ -322,7 +322,7 @@ test("a long program: only lines that are seen are in the document; a line and i
     new RegExp(`^N${line} `),
   );
   assert.ok(await viewer.locator(".line.lit").isVisible());
-  // By keyboard: Ctrl+F goes to Find, Ctrl+A and a copy take all lines, and nothing is typed into them.
+  // By keyboard: Ctrl+F goes to Find, Ctrl+A and a copy take all lines, and nothing can be typed into them.
   const listing = viewer.getByRole("textbox", { name: "The program" });
   await listing.focus();
   await page.keyboard.type("G0");
@@ -367,7 +367,7 @@ test("a program of very many moves froze the page while it was drawn: it is draw
       .getByRole("button", { name: "top" })
       .click();
     const touch = (await painted("tp-viewer", "touch")).count > 0;
-    // From where to where anything is drawn: arrow heads and dashes apart, a long program has the same lines.
+    // Extent of the drawing: except for arrow heads and dashes, a long program has the same lines.
     const inked = await page.evaluate(() => {
       const app = document.querySelector("touch-path");
       const canvas = /** @type {HTMLCanvasElement} */ (

@@ -1,4 +1,4 @@
-// The element in projects of every kind, built and opened under a policy that allows their own files and WebAssembly, and nothing else.
+// The element in projects of every kind, built and opened under a policy that only allows their own files and WebAssembly.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import {
@@ -21,7 +21,7 @@ const policy = (other = "") =>
   `default-src 'none'; script-src 'self' ${other} 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self' ${other}; require-trusted-types-for 'script'; trusted-types lit-html`;
 const html = (/** @type {string} */ script, csp = policy()) =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${csp}"><title>User</title><script type="module" src="${script}"></script><touch-path cycle="boss"></touch-path></html>`;
-/** A user's own script: the element, and a function of the package beside it. */
+/** A user's script: the element, and a function of the package. */
 const MAIN = `import "touchpath/element";
 import { defaultJob, plan } from "touchpath";
 document.title = String(plan(defaultJob("hole")).moves.length);
@@ -213,7 +213,7 @@ if (isMainThread) {
   );
 });
 
-/** Compiles `use.ts` of a project by strict TypeScript; the types of libraries too, or not. */
+/** Compiles `use.ts` of a project with strict TypeScript, with or without the types of libraries. */
 function compiles(
   /** @type {string} */ own,
   /** @type {string[]} */ resolution,
@@ -302,7 +302,7 @@ export const plan: Svelte = { "onplan-change": ({ detail }) => console.log(detai
 `,
   );
   writeFileSync(join(own, "package.json"), '{"type":"module"}');
-  // Svelte's own types name what no browser's library has.
+  // Svelte's own types use names that no browser library has.
   compiles(
     own,
     ["--module", "esnext", "--moduleResolution", "bundler"],

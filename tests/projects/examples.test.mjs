@@ -96,7 +96,7 @@ for (const [name, libraries, jobName] of /** @type {const} */ ([
       return element.job.cycle.diameter === 44;
     });
     assert.equal(await box.inputValue(), "44");
-    // What the user types stays as it is typed, although the host hands it back.
+    // The user's input stays as typed, although the host returns it.
     await box.fill("5,5");
     await page.getByText(`${jobName}: diameter 5.5`).waitFor();
     assert.equal(await box.inputValue(), "5,5");

@@ -1,4 +1,4 @@
-// The package as its users have it: packed, unpacked beside the libraries of a project, and built by that project's own tools.
+// The package as users have it: packed, unpacked beside the libraries of a project, and built with the project's own tools.
 import { execFileSync } from "node:child_process";
 import {
   cpSync,
@@ -16,7 +16,7 @@ import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { launch } from "../page/common.mjs";
 
-/** A folder for projects; it is gone when the tests of the file are over. */
+/** A folder for projects; it is removed when the tests of the file are over. */
 export const folder = mkdtempSync(join(tmpdir(), "touchpath-projects-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
@@ -77,7 +77,7 @@ export function inBrowser() {
   });
   return {
     servers,
-    /** Opens a folder's page in the browser; `problems` are what goes wrong there unseen. */
+    /** Opens a folder's page in the browser; `problems` collects errors that are not visible there. */
     async open(
       /** @type {string} */ folder,
       watch = (/** @type {import("playwright-core").Page} */ _page) => {},

@@ -1,4 +1,4 @@
-// A release, without publishing anything: the package packs and installs, the crate packs and compiles from what is packed.
+// A release without publishing: the package packs and installs, the crate packs and compiles from its package.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -22,7 +22,7 @@ test("the reference is what the package says of itself", () => {
 
 test("a function with type parameters was missing in the reference", async () => {
   const page = readFileSync(at("docs", "reference.md"), "utf8");
-  // The functions of a loaded module; the rest of what is exported loads it, says what it gives, or is the page's own.
+  // Functions of a loaded module; the other exports load it, return messages, or belong to the page.
   const {
     JobError: _,
     say: __,
@@ -53,7 +53,7 @@ test("a release is refused where a version or the changelog does not fit or no r
   assert.equal(wrong.status, 1);
   assert.match(wrong.stderr, /the tag says 99\.0\.0/);
   const { status, stderr } = release(`v${version}`);
-  // Between releases only the changelog may be in the way, and a repository that has no name yet.
+  // Between releases only the changelog may be missing, and a repository that has no name yet.
   const nameless =
     "package.json names no repository: npm publishes no provenance without it\n";
   assert.equal(stderr.startsWith(nameless), !repository);

@@ -1,4 +1,4 @@
-// The functions and the component where a portal's server runs: bundled into one file, with a module that is handed over, and rendered by a server.
+// The functions and the component on a portal's server: bundled into one file, with a module that is passed in, and rendered on a server.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
@@ -76,7 +76,7 @@ test("workerd gets the module where it is imported", async () => {
     logLevel: "error",
     plugins: [
       {
-        // There an import of WebAssembly is the compiled module.
+        // There an import of WebAssembly gives the compiled module.
         name: "workerd",
         setup: (build) =>
           build.onLoad({ filter: /\.wasm$/ }, ({ path }) => ({

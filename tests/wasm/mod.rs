@@ -1,4 +1,4 @@
-//! The JavaScript façade, called as JavaScript calls it: plain objects in, plain objects out.
+//! The JavaScript façade, called like from JavaScript: plain objects in, plain objects out.
 
 use js_sys::{Array, Function, JSON, Object, Reflect};
 use touchpath::wasm;
@@ -17,7 +17,7 @@ pub fn get(value: &JsValue, key: &str) -> JsValue {
     Reflect::get(value, &key.into()).expect("a property")
 }
 
-/// A value as the module takes it: `codes` and `text`. What the package's own walk makes of anything a caller has is tested in tests/package.
+/// A value coded for the module: `codes` and `text`. tests/package tests the package's own coding.
 pub fn coded(value: &JsValue) -> (Vec<f64>, String) {
     let mut out = (Vec::new(), String::new());
     code(value, &mut out);
@@ -60,7 +60,7 @@ fn check(job: &JsValue) -> JsValue {
     wasm::check(&codes, &text).expect("check never throws")
 }
 
-/// What the module hands out of a plan: its text, and how many numbers.
+/// Output of the module for a plan: its text, and the number of values.
 fn plan(job: &JsValue) -> Result<(String, usize), JsValue> {
     let (codes, text) = coded(job);
     let taken = Function::new_no_args(
@@ -106,7 +106,7 @@ fn a_plan_comes_as_numbers_and_a_text() {
     assert!(numbers > 7 * 27);
 }
 
-/// Codes come from the package alone. Whatever they are, nothing panics and nothing is read beyond them.
+/// Codes come only from the package. No codes cause a panic or a read beyond their end.
 #[wasm_bindgen_test]
 fn codes_that_nobody_writes_are_something_unreadable() {
     let (codes, text) = coded(&pocket());
@@ -213,7 +213,7 @@ fn units_are_converted_with_tolerances() {
     assert!(wasm::convert_units(&codes, &texts, &"cm".into()).is_err());
 }
 
-/// A header changes nothing of the object but what a job has a place for.
+/// A header changes only known keys of the object.
 #[wasm_bindgen_test]
 fn a_header_cannot_reach_the_prototype() {
     let program = "; job cycle.type=hole __proto__.x=1 constructor.prototype.y=1\nG71\nG90\nM30\n";
