@@ -18,15 +18,15 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "angle-rounded",
-        "An angle has more decimals than the control's parameter takes; the program has it rounded.",
+        "An angle has more decimals than the control's parameter; the program has it rounded.",
     ),
     (
         "approach-beyond-wall",
-        "A clearance is so large that the place in front of a touch is behind the opposite wall.",
+        "A clearance is so large that the start of a touch is behind the opposite wall.",
     ),
     (
         "approach-not-watched",
-        "The probe is not watched on the way to the first position, because the program does not know where the stylus starts.",
+        "The approach to the first position is not watched, because the program does not know where the stylus starts.",
     ),
     (
         "arc-unsolved",
@@ -38,7 +38,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "ball-unknown",
-        "A dump says ball centres but not the ball's diameter: the default is taken.",
+        "A dump has ball centres but not the ball's diameter: the default is used.",
     ),
     (
         "beyond-travel",
@@ -50,11 +50,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "block-too-long",
-        "A block would be longer than the control reads: names of cycles, and sums of what is followed, make it long.",
+        "A block would be longer than the control reads: long names of cycles and sums of followed results cause this.",
     ),
     (
         "branch-ends",
-        "A branch whose condition is not known ends the program: the run continues as if it were not taken.",
+        "A branch with an unknown condition ends the program: the run continues as if it were not taken.",
     ),
     (
         "circle-in-circle",
@@ -79,11 +79,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "contact-at-start",
-        "A touch triggers so near to its start that the program takes it for a probe that is still deflected, and stops.",
+        "A touch triggers so close to its start that the program treats the probe as still deflected, and stops.",
     ),
     (
         "converted",
-        "Measured places were converted from machine coordinates; the message says by what.",
+        "Measured positions were converted from machine coordinates; the message gives the source of the offset.",
     ),
     (
         "crossing-too-low",
@@ -91,47 +91,47 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "cycle-chooses-points",
-        "The control's own cycle chooses its touches, so picked ones cannot be used.",
+        "The native cycle chooses its touches, so picked ones cannot be used.",
     ),
     (
         "cycle-differs",
-        "The moves of the control's own cycle differ from the documented ones shown.",
+        "The moves of the native cycle differ from the documented ones shown.",
     ),
     (
         "cycle-name",
-        "A set-up: the name of a cycle is taken, or cannot be printed by a program.",
+        "A set-up: the name of a cycle is in use, or cannot be printed by a program.",
     ),
     (
         "cycle-no-lift",
-        "The control's own cycle that measures only does not lift between its touches.",
+        "The native cycle that only measures does not retract between its touches.",
     ),
     (
         "cycle-no-zone",
-        "The control's own cycle needs a protection zone, and these clearances leave none.",
+        "The native cycle needs a protection zone, and these clearances leave no room for it.",
     ),
     (
         "cycle-not-parallel",
-        "The control's own cycle is called without a rotation, and this feature is turned.",
+        "The native cycle is called without a rotation, and this feature is rotated.",
     ),
     (
         "cycle-not-square",
-        "The control's own cycle takes walls that are square to each other.",
+        "The native cycle supports walls that are square to each other.",
     ),
     (
         "cycle-one-path",
-        "The control's own cycle has one measuring path for all walls.",
+        "The native cycle has one measuring path for all walls.",
     ),
     (
         "cycle-path-short",
-        "The measuring path of the control's own cycle would be too short.",
+        "The measuring path of the native cycle would be too short.",
     ),
     (
         "cycle-plane",
-        "No source at hand shows how the control's own cycle takes a plane other than G17.",
+        "None of our sources shows how the native cycle handles a plane other than G17.",
     ),
     (
         "cycle-stops",
-        "On the nominal part the control's own cycle would stop with an alarm.",
+        "On the nominal part the native cycle would stop with an alarm.",
     ),
     (
         "datum-apart",
@@ -139,7 +139,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "datum-unknown",
-        "A set-up: what is to be written is no result that can be written into this axis.",
+        "A set-up: the chosen result cannot be written into this axis.",
     ),
     (
         "dist-needed",
@@ -147,7 +147,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "dist-too-short",
-        "1411: DIST is shorter than the way to the contact, so that no touch reaches it.",
+        "1411: DIST is shorter than the distance to the contact, so no touch reaches it.",
     ),
     (
         "division-by-zero",
@@ -155,7 +155,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "dry-run-unsupported",
-        "A dry run is a program of moves: the control's own cycle touches by itself.",
+        "A dry run is a program of moves: the native cycle touches automatically.",
     ),
     (
         "edge-contact",
@@ -167,7 +167,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "feeds-of-set-up",
-        "A set-up: cycle 1411 takes the feeds of the job.",
+        "A set-up: cycle 1411 uses the feeds of the job.",
     ),
     (
         "field-unused",
@@ -175,7 +175,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "form-unsupported",
-        "The control does not take this cycle in this form; the message says why.",
+        "The control does not support this cycle in this form; the message gives the reason.",
     ),
     (
         "given-incomplete",
@@ -187,7 +187,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "header-unknown",
-        "The header of a program has values that this cycle has no place for.",
+        "The header of a program has values that this cycle does not use.",
     ),
     (
         "header-unsound",
@@ -199,7 +199,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "keep-out",
-        "The ball, or what is known of the stylus above it, enters a keep-out zone of the portal's config.",
+        "The ball, or the known part of the stylus above it, enters a keep-out zone of the portal's config.",
     ),
     (
         "length-not-along-tool-axis",
@@ -215,11 +215,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "limit-stops",
-        "A result that is off by more than its limit stops the control's own cycle with a message.",
+        "A result that deviates by more than its limit stops the native cycle with a message.",
     ),
     (
         "limits-not-asked",
-        "The control's own cycle writes what it measures without asking the limits.",
+        "The native cycle writes its results without checking the limits.",
     ),
     (
         "lines-differ",
@@ -251,7 +251,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "machine-places",
-        "A program goes to places of the machine's own system: where that is in the work system is not known.",
+        "A program moves to positions in machine coordinates: their work coordinates are unknown.",
     ),
     (
         "macro-not-seen",
@@ -262,10 +262,10 @@ pub const CODES: &[(&str, &str)] = &[
         "A macro of the control's own ends a run with an alarm.",
     ),
     ("missing", "Something that a job needs is not there."),
-    ("missing-code", "A dump lacks a code: the default is taken."),
+    ("missing-code", "A dump lacks a code: the default is used."),
     (
         "missing-parameter",
-        "A program lacks a parameter: the form's default is taken.",
+        "A program lacks a parameter: the form's default is used.",
     ),
     (
         "mixed-forms",
@@ -274,7 +274,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("more-findings", "More was found than is listed."),
     (
         "moves-before-cycle",
-        "A Klartext program moves before its cycle: the stylus then does not start where the job says.",
+        "A Klartext program moves before its cycle: the stylus then does not start at the position in the job.",
     ),
     (
         "name-changed",
@@ -282,7 +282,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "needs-calibration",
-        "The control's own cycle asks for another calibration of the probe.",
+        "The native cycle requires another calibration of the probe.",
     ),
     (
         "nested-too-deeply",
@@ -310,7 +310,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "no-direction",
-        "1411: both circles are in one place, so the line through them has no direction.",
+        "1411: both circles are at the same position, so the line through them has no direction.",
     ),
     (
         "no-extrusion",
@@ -318,7 +318,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "no-job-in-program",
-        "A program of moves holds no job: only its moves were read.",
+        "A program of moves contains no job: only its moves were read.",
     ),
     ("no-moves", "A text gives no move that can be read."),
     (
@@ -331,11 +331,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "no-touches",
-        "A dump has no touch points: place and rotation of the feature are the defaults.",
+        "A dump has no touch points: position and rotation of the feature are the defaults.",
     ),
     (
         "no-units",
-        "A program does not say its units, or says them only below its first moves.",
+        "A program does not state its units, or states them only below its first moves.",
     ),
     ("not-a-flag", "A value of a dump should be true or false."),
     (
@@ -400,12 +400,12 @@ pub const CODES: &[(&str, &str)] = &[
     ("not-whole", "A number should be whole."),
     (
         "nothing-switched",
-        "The cycle is rows of the parameter table alone: its program switches nothing and moves nothing.",
+        "The cycle only has rows in the parameter table: its program switches and moves nothing.",
     ),
     ("nothing-to-import", "No job can be made of the text."),
     (
         "nothing-to-write",
-        "The cycle measures nothing that a work offset could take.",
+        "The cycle measures nothing that can be written into a work offset.",
     ),
     (
         "number-protected",
@@ -413,15 +413,15 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "number-unused",
-        "A program number is given for a control whose programs have none.",
+        "A program number is given for a control whose programs have no number.",
     ),
     (
         "offset-in-parts",
-        "The control's own cycles write the axes of a work offset one after the other.",
+        "Native cycles write the axes of a work offset one after the other.",
     ),
     (
         "offset-measured-again",
-        "The control's own cycle writes an axis that is measured again afterwards, in the system that it has moved.",
+        "The native cycle writes an axis that is measured again afterwards, in the shifted system.",
     ),
     (
         "offset-one-direction",
@@ -441,15 +441,15 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "other-control",
-        "The job names another control than the page around, or the option `--post`, asks for.",
+        "The job specifies another control than the host page or the option `--post`.",
     ),
     (
         "other-form",
-        "The control does not take the job in this form of program, and takes it in the other.",
+        "The control does not support the job in this form of program, but in the other.",
     ),
     (
         "other-units",
-        "The job names other units than the page around asks for.",
+        "The job specifies other units than the host page.",
     ),
     ("other-version", "Another version wrote the program."),
     ("out-of-range", "A number is outside the allowed range."),
@@ -459,11 +459,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "overtravel-too-short",
-        "The control's own cycle cannot search so little behind the contact.",
+        "The native cycle cannot search so little past the contact.",
     ),
     (
         "own-codes",
-        "A dump has more custom codes than are kept, or one of them twice.",
+        "A dump has more custom codes than a job can have, or one of them twice.",
     ),
     (
         "own-moves",
@@ -471,7 +471,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "own-path",
-        "The moves shown are those of the control's own cycles.",
+        "The moves shown are those of the native cycles.",
     ),
     (
         "pairs-not-square",
@@ -499,11 +499,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "picks-out-of-range",
-        "Picked touches give a size outside of what is allowed.",
+        "Picked touches give a size outside the allowed range.",
     ),
     (
         "place-of-result",
-        "A set-up: a place, rotation or size of a cycle is to follow a result that it cannot follow.",
+        "A set-up: a position, rotation or size of a cycle has a result that it cannot follow.",
     ),
     (
         "place-too-far",
@@ -511,7 +511,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "places-computed",
-        "A program goes to places that the control computes, or along a tool whose length was changed: they are not known here, until a number is given.",
+        "A program moves to positions that the control computes, or along a tool whose length was changed: they are unknown until the program gives a number.",
     ),
     (
         "places-transformed",
@@ -523,24 +523,24 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "plane-unknown",
-        "The points of a dump fit several planes, or none.",
+        "The points of a dump fit several planes, or no plane.",
     ),
     (
         "plane-unsupported",
-        "The control takes no program for this plane.",
+        "The control supports no program for this plane.",
     ),
     (
         "points-differ",
-        "The used points of a dump (-100 and following) differ from the original ones (-200): the used ones are taken.",
+        "The used points of a dump (-100 and following) differ from the original ones (-200): the used ones count.",
     ),
-    ("portal", "What the portal itself says of the job."),
+    ("portal", "A finding of the portal itself."),
     (
         "positioning-not-watched",
         "A contact in a positioning move goes unnoticed.",
     ),
     (
         "predefined",
-        "A value is the control's own (PREDEF): the form's number stands in for the picture.",
+        "A value comes from the control (PREDEF): the form's number only serves the picture.",
     ),
     (
         "probe-move-too-short",
@@ -564,7 +564,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "protection-unsupported",
-        "The control takes only programs whose positioning is watched.",
+        "The control supports only programs with watched positioning.",
     ),
     (
         "rapid-at-feed",
@@ -584,7 +584,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "repeat-unsupported",
-        "Each point is to be touched several times, and neither a cycle of the control's own nor extrusion probing takes that.",
+        "Each point is to be touched several times, which neither a native cycle nor extrusion probing supports.",
     ),
     (
         "result-missing",
@@ -601,7 +601,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "rotation-not-written",
-        "A rotation is measured, and the work offset takes no rotation from it.",
+        "A rotation is measured, but the work offset cannot store it.",
     ),
     (
         "rotation-unsupported",
@@ -609,11 +609,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "row-activated",
-        "A row of the preset table is written and activated, with what else stands in it.",
+        "A row of the preset table is written and activated with its other values.",
     ),
     (
         "rule-broken",
-        "A program breaks a safety rule that must hold: it is refused. A fault in Touchpath: please report it.",
+        "A program breaks a mandatory safety rule: it is refused. This is a fault in Touchpath: please report it.",
     ),
     (
         "search-too-short",
@@ -625,7 +625,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "semi-automatic-unsupported",
-        "A semi-automatic object needs the control's own cycle.",
+        "A semi-automatic object needs the native cycle.",
     ),
     (
         "set-up-too-long",
@@ -633,11 +633,11 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "set-up-unsupported",
-        "A set-up: a cycle, or the control, does not take part in one; the message says why.",
+        "A set-up: a cycle or the control does not support set-ups; the message gives the reason.",
     ),
     (
         "several-cycles",
-        "The text holds several cycles: the first is taken.",
+        "The text has several cycles: the first is used.",
     ),
     (
         "shank-collision",
@@ -649,23 +649,23 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "small-hole",
-        "1411: the hole is smaller than the set-up clearance; the control asks, and starts from its centre.",
+        "1411: the hole is smaller than the set-up clearance; the control shows a message and starts from its centre.",
     ),
     (
         "start-in-feature",
-        "The path would begin and end inside the feature; the message says the least feed distance.",
+        "The path would begin and end inside the feature; the message gives the smallest feed distance.",
     ),
     (
         "start-unknown",
-        "Incremental moves of a program begin at a place that is not known: they are counted from 0.",
+        "Incremental moves of a program start from an unknown position: 0 is assumed.",
     ),
     (
         "starts-disagree",
-        "Picked touches and their clearances put the one start of the cycle at several places.",
+        "Picked touches and their clearances give several positions for the start of the cycle.",
     ),
     (
         "stops-too-late",
-        "At this feed the axes stop later after a contact than the stylus takes.",
+        "At this feed the axes need more distance to stop after a contact than the stylus survives.",
     ),
     (
         "stylus-from-dump",
@@ -678,11 +678,11 @@ pub const CODES: &[(&str, &str)] = &[
     ("text-too-long", "The text is longer than the limit."),
     (
         "tolerance-beyond-limit",
-        "A tolerance reaches beyond the limit of what is plausible.",
+        "A tolerance extends beyond the plausibility limit.",
     ),
     (
         "tolerance-elsewhere",
-        "A tolerance says its own nominal value, and that of the result is another.",
+        "A tolerance contains a nominal value that differs from that of the result.",
     ),
     (
         "tolerance-unknown",
@@ -696,10 +696,10 @@ pub const CODES: &[(&str, &str)] = &[
         "too-far",
         "A measured point is farther from its touch than the touch can reach.",
     ),
-    ("too-long", "A text is longer than its field takes."),
+    ("too-long", "A text is longer than its field allows."),
     (
         "too-many-digits",
-        "A place is so far away that its numbers need more digits than a control takes.",
+        "A position is so far away that its numbers need more digits than a control accepts.",
     ),
     (
         "too-many-registers",
@@ -707,7 +707,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "too-many-touches",
-        "More touches than the parameter table can hold.",
+        "More touches than the parameter table has room for.",
     ),
     (
         "tool-axis-reversed",
@@ -765,7 +765,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("touches-coincide", "Two touches lie on one spot."),
     (
         "touches-kept",
-        "The touches of a dump are not those of its dimensions: they are kept as picked.",
+        "The touches of a dump do not follow from its dimensions: they stay as picked touches.",
     ),
     (
         "touches-not-level",
@@ -777,7 +777,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "turn-beyond-limit",
-        "A set-up: a part that is turned by as much as the limit allows has a cycle farther off than its position may be.",
+        "A set-up: on a part that is rotated by the angle limit, a cycle deviates by more than its position limit.",
     ),
     (
         "uncertain-result",
@@ -793,7 +793,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "units-found",
-        "A log does not say whether it is in mm or in inch: it is read in the one that is in reach of the touches.",
+        "A log does not state whether it is in mm or in inch: it is read in the unit that is in reach of the touches.",
     ),
     (
         "units-not-stated",
@@ -805,7 +805,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "units-unknown",
-        "The text does not say its units: mm is taken.",
+        "The text does not state its units: mm is assumed.",
     ),
     (
         "unknown-code",
@@ -835,7 +835,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "unusable",
-        "The form cannot show a job: the message says which part of it.",
+        "The form cannot show a job: the message gives the part.",
     ),
     ("unusual", "A number is allowed, but unusual."),
     (
@@ -873,15 +873,15 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "words-twice",
-        "A block of a program names two motions, or two places along an axis: the last is read.",
+        "A block of a program has two motions, or two positions along an axis: the last is read.",
     ),
     (
         "work-offset-needed",
-        "A log has machine coordinates and does not say the work offset: the message says what to add.",
+        "A log has machine coordinates and does not state the work offset: the message gives what to add.",
     ),
     (
         "work-offset-unclear",
-        "A log says two work offsets: which one the touches were made in is not clear.",
+        "A log states two work offsets: which one the touches were made in is unclear.",
     ),
     (
         "work-offset-unsupported",
@@ -902,7 +902,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "zone-beyond-clearance",
-        "Even a part within tolerance is in the way where the ball goes down.",
+        "Even a part within tolerance is in the way where the ball descends.",
     ),
     (
         "zone-beyond-dist",
