@@ -7,8 +7,12 @@ const shared = ({ name: _name, cycle: _cycle, ...rest }: Job) => ({
   control: { ...rest.control, workOffset: null },
 });
 
-/** A job with all calls that are documented cycles, in their order. Null if there are fewer than two, or if they need different probes, feeds or controls. */
-export function jobOfCalls(calls: ProgramRun["calls"]): SetUp | null {
+/**
+ * A job with all calls that are documented cycles, in their order. Null for fewer than two such calls, or if they need different probes, feeds or controls.
+ * Null also if the program changes its coordinate system: a job has one system, and positions of two systems must not be mixed in it.
+ */
+export function jobOfCalls({ calls, systems }: ProgramRun): SetUp | null {
+  if (systems.length > 0) return null;
   const jobs = calls.flatMap(({ job }) => (job ? [job] : []));
   const [first, ...others] = jobs;
   if (!first || others.length === 0) return null;

@@ -245,6 +245,22 @@ test("a program of several native calls becomes one job, which writes no work of
   assert.match(await program(), /HOLE2\.CENTER|BORE2\.CENTER/);
 });
 
+for (const change of ["G55", "G52 X50.", "G68 X0. Y0. R90."])
+  test(`calls before and after ${change} do not become one job: their positions are in two coordinate systems`, async () => {
+    await openText(
+      `%\nO1\nG90 G21 G17\nG54\nT9 M6\nG43 H9\nG65 P9832\nG65 P9810 X0. Y0. F3000.\nG65 P9810 Z-5.\nG65 P9814 D25.\nG65 P9810 Z20.\n${change}\nG65 P9810 X60. Y0.\nG65 P9810 Z-5.\nG65 P9814 D16.\nG65 P9810 Z20.\nG65 P9833\nM30\n%\n`,
+      "systems.nc",
+    );
+    const calls = page.locator("tp-viewer .calls");
+    await calls.waitFor();
+    const single = calls.getByRole("button", {
+      name: "Create a job from this call",
+    });
+    assert.equal(await single.count(), 2);
+    const whole = page.getByRole("button", { name: /from these \d+ calls/ });
+    assert.equal(await whole.count(), 0);
+  });
+
 test("a program could not be tried on a part: it is run on the one in the form", async () => {
   await openText(
     "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",

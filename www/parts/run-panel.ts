@@ -119,7 +119,7 @@ export class RunPanel {
       ${noteList(notes)}
       ${plain.writes.length > 0 ? html`<h2>${t("Lasting writes")}</h2><ul class="writes">${written(run.writes).map(({ what, line }) => html`<li>${what}${this.places([line])}</li>`)}</ul>` : nothing}
       ${form ? this.form(own, known, run, assumes) : nothing}
-      ${plain.calls.length > 0 ? html`<h2>${t("Native cycles")}</h2>${this.allCalls(plain.calls)}<ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+      ${plain.calls.length > 0 ? html`<h2>${t("Native cycles")}</h2>${this.allCalls(plain)}<ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
       ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
     `;
   }
@@ -262,7 +262,7 @@ export class RunPanel {
         ${key === "at" ? html`<option value=${HAND} ?selected=${byHand}>${t("on a part entered by hand")}</option><option value=${FORM} ?selected=${onPart && !byHand}>${t("on the part in the form")}</option>` : nothing}</select></div>`;
   }
 
-  /** Reads a number, also with a decimal comma; an empty field gives none. Other text stays for correction. */
+  /** Reads a number, also with a decimal comma; an empty field has no value. Other text stays for correction. */
   private take(event: Event, take: (x: number | null) => void): void {
     const input = event.target as HTMLInputElement;
     const text = input.value.trim().replace(",", ".").replace("−", "-");
@@ -300,10 +300,8 @@ export class RunPanel {
   }
 
   /** One job of all calls, if possible. */
-  private allCalls(
-    calls: ProgramRun["calls"],
-  ): TemplateResult | typeof nothing {
-    const job = this.store().readonly ? null : jobOfCalls(calls);
+  private allCalls(run: ProgramRun): TemplateResult | typeof nothing {
+    const job = this.store().readonly ? null : jobOfCalls(run);
     if (!job) return nothing;
     return html`<p><button type="button" class="quiet" @click=${() => this.adopt(job)}>${this.store().t("Create a job from these {count} calls", job.cycles.length)}</button></p>`;
   }
