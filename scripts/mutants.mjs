@@ -126,7 +126,7 @@ function build(/** @type {Mutant[]} */ batch) {
   return steps.find(({ status }) => status !== 0)?.stderr ?? "";
 }
 
-/** Whether a test passes; null if there is none with this name. */
+/** Whether a test passes. Null if no test has this name. */
 function passes(/** @type {string} */ test) {
   const [file = "", name] = test.split(".mjs: ");
   if (!name) {

@@ -93,7 +93,7 @@ export abstract class CatalogView extends Phrases {
     return { ...control, workOffset: this.offsetOn(post, control), post };
   }
 
-  /** Work offset on another control: the one with the same word, else none. */
+  /** Work offset on another control: the one with the same word. Without such an offset the program only measures. */
   protected offsetOn(
     post: unknown,
     control = this.draft.control as Draft,

@@ -25,7 +25,7 @@ export interface Answers {
   inch: Known;
 }
 
-/** Stands in for the module until it is loaded. Throws for any other job; the page asks for none before then. */
+/** Stands in for the module until it is loaded. Throws for any other job; the page plans no other job before then. */
 export function answers(): Raw {
   const jobs = [baked.mm, baked.inch].map((known) => ({
     known,

@@ -35,7 +35,7 @@ export abstract class Machine extends Document {
     return offset;
   }
 
-  /** Announces that a work offset is no longer written because this control has none of that name. */
+  /** Announces that a work offset is no longer written because this control has no offset of that name. */
   protected tellLost({ post, workOffset }: Draft): void {
     if (
       typeof workOffset !== "number" ||

@@ -119,7 +119,7 @@ function mixed(text: string): number | null {
   );
 }
 
-/** Value of a sum of products; null if the text is none. */
+/** Value of a sum of products. Null if the text is not such a sum. */
 function sum(text: string): number | null {
   const words =
     text.match(

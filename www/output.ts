@@ -55,7 +55,7 @@ export abstract class Output extends CatalogView {
   /** The cycles of a set-up; the form has the active one. */
   readonly features = new CycleList();
   findings: Finding[] = [];
-  /** Last valid plan of this document; empty if it had none. */
+  /** Last valid plan of this document; empty if no plan was valid. */
   plan: Plan = NO_PLAN;
   /** Name of the program that was saved last. */
   saved: string | null = null;

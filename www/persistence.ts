@@ -34,7 +34,7 @@ function write(): void {
   if (!state) return;
   let held = false;
   for (const [storage, key] of places()) {
-    // If not everything fits, stores the job alone.
+    // If not everything fits, stores only the job.
     for (const kept of [state, { ...state, left: undefined }]) {
       try {
         storage().setItem(key, JSON.stringify(kept));
@@ -103,7 +103,7 @@ const THEME = "touchpath.theme.1";
 const CAM = "touchpath.cam.1";
 const LANGUAGE = "touchpath.language.1";
 
-/** A stored choice for the page by its name; null if none is stored. */
+/** A stored choice for the page by its name. Null if it was never stored. */
 function choice(name: string): string | null {
   try {
     return localStorage.getItem(name);

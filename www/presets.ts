@@ -22,7 +22,7 @@ const LONGEST_NAME = 80;
 /** The list that was read last, and its text. */
 let known: { text: string; list: Preset[] } = { text: "", list: [] };
 
-/** Presets of this browser; null if it stores nothing. Unreadable entries count as none. */
+/** Presets of this browser; null if it stores nothing. Unreadable entries are skipped. */
 export function presets(): Preset[] | null {
   try {
     const text = localStorage.getItem(KEY) ?? "";
@@ -78,7 +78,7 @@ export function written(list: Preset[]): string {
   return `${JSON.stringify({ format: FORMAT, version: 1, presets: list }, null, 2)}\n`;
 }
 
-/** Presets of a file's text; null if it holds none. Entries that are no presets are skipped. */
+/** Presets of a file's text. Null if the text contains no preset. Other entries are skipped. */
 export function read(text: string): Preset[] | null {
   let file: unknown;
   try {

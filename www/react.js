@@ -1,7 +1,7 @@
 "use client";
 import { createElement, useEffect, useLayoutEffect, useRef } from "react";
 
-/** Properties of the element: React sets none on a custom element whose markup came from a server. */
+/** Properties of the element: React sets no properties on a custom element whose markup came from a server. */
 const PROPERTIES = ["config", "job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "view", "measured", "storage", "links", "disabled", "name"];
 const FLAGS = ["readonly", "links", "disabled"];
 const EVENTS = ["job-change", "plan-change", "selection-change", "measured-change", "program-save", "finding"];

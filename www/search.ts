@@ -42,7 +42,7 @@ const EMPTY = new Set([
   "probe",
 ]);
 
-/** Search words of a query. Words without meaning count only if there are no others. */
+/** Search words of a query. Words without meaning count only in a query without other words. */
 export function wordsIn(query: string): string[] {
   const all = query
     .toLowerCase()
@@ -86,7 +86,7 @@ export function textOf(
     .toLowerCase();
 }
 
-/** Entries whose texts have every word. If there is none, those with most of the words, the best first. */
+/** Entries whose texts have every word. If no text has all, the entries with most of the words, the best first. */
 export function found<T>(
   things: readonly T[],
   query: string,

@@ -167,7 +167,7 @@ export function runInWords(store: Store): string {
   return `${pathInWords(store)} · ${clockOf(store.plan.time * 60)}`;
 }
 
-/** Displacement and size deviations of the virtual part, in words; empty if there are none. */
+/** Displacement and size deviations of the virtual part, in words. Empty for a nominal part. */
 export function deviations(store: Store): string[] {
   const part = store.get("part") as
     | { offset?: unknown[]; rotation?: unknown; sizes?: Draft }
@@ -190,7 +190,7 @@ export function deviations(store: Store): string[] {
   ];
 }
 
-/** Results whose uncertainty includes the ball's eccentricity, as a list; empty if there are none. */
+/** Results whose uncertainty includes the ball's eccentricity, as a list that may be empty. */
 export const ofRunout = (
   rows: ResultRow[],
   say: (row: ResultRow) => string,

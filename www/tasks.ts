@@ -16,7 +16,7 @@ export interface Asked<T extends Task> {
   answer: Promise<Answer<T>> | null;
 }
 
-/** Asks the page around an element for a worker; `null` if it has none. */
+/** Asks the page around an element for a worker. `null` without a worker. */
 export function askFor<T extends Task>(
   host: EventTarget,
   task: T,

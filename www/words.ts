@@ -24,7 +24,7 @@ export const w = (english: string): string => english;
 /** Traditional Chinese, by script or region. */
 const TRADITIONAL = /^zh-(?:.*-)?(hant|tw|hk|mo)\b/;
 
-/** First available language of a list of BCP 47 tags: `de-AT` is German, `zh-CN` and `zh` are simplified Chinese. Null if none is available. */
+/** First available language of a list of BCP 47 tags: `de-AT` is German, `zh-CN` and `zh` are simplified Chinese. Null if no language is available. */
 export function languageOf(tags: readonly string[]): Lang | null {
   for (const tag of tags.map((tag) => tag.toLowerCase())) {
     const primary = tag.split("-")[0];

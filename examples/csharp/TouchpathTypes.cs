@@ -31,7 +31,7 @@ namespace Touchpath
         public string[] Standing { get; set; }
         /// <summary>Groups of codes in a CmdPrm table; the first matching group counts.</summary>
         public CodeGroup[] CodeGroups { get; set; }
-        /// <summary>Assumed rate of rapids in `plan().time`, mm/min, if the program states none.</summary>
+        /// <summary>Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate.</summary>
         public double RapidRate { get; set; }
         /// <summary>Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.</summary>
         public double MaxTouches { get; set; }
@@ -115,7 +115,7 @@ namespace Touchpath
     {
         /// <summary>`x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis.</summary>
         public string Axis { get; set; }
-        /// <summary>Result that is written, `BORE.center.x`, or would be if a work offset were chosen; null if there is none.</summary>
+        /// <summary>Result for the work offset, for example `BORE.center.x`, also if no offset is chosen yet. Null if no result can be written.</summary>
         public string From { get; set; }
         /// <summary>Every possible result.</summary>
         public string[] Choices { get; set; }
@@ -148,7 +148,7 @@ namespace Touchpath
         public string Null { get; set; }
         /// <summary>The allowed values of a choice or a code; else empty.</summary>
         public ChoiceEntry[] Choices { get; set; }
-        /// <summary>Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none.</summary>
+        /// <summary>Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has no code.</summary>
         public string Code { get; set; }
         /// <summary>Heading above the field in a form.</summary>
         public string Group { get; set; }
@@ -292,7 +292,7 @@ namespace Touchpath
         public string Title { get; set; }
         /// <summary>The usual file extension, without the dot.</summary>
         public string Extension { get; set; }
-        /// <summary>Highest number of a work offset that a program can write; 0 if it can write none.</summary>
+        /// <summary>Highest number of a work offset that a program can write; 0 if it can write no offset.</summary>
         public double WorkOffsets { get; set; }
         /// <summary>Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.</summary>
         public bool FirstLength { get; set; }
@@ -428,7 +428,7 @@ namespace Touchpath
         public double? Deviation { get; set; }
         /// <summary>Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball.</summary>
         public double? Uncertainty { get; set; }
-        /// <summary>Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of calibration.</summary>
+        /// <summary>Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives no eccentricity, or orients the spindle to the angle of calibration.</summary>
         public double? UncertaintyRunout { get; set; }
         /// <summary>Lower and upper limit, if there is a tolerance.</summary>
         public double[] Limits { get; set; }

@@ -37,7 +37,7 @@ class Catalog(TypedDict):
     standing: list[str]
     # Groups of codes in a CmdPrm table; the first matching group counts.
     codeGroups: list[CodeGroup]
-    # Assumed rate of rapids in `plan().time`, mm/min, if the program states none.
+    # Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate.
     rapidRate: float
     # Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.
     maxTouches: float
@@ -148,7 +148,7 @@ class FieldEntry(TypedDict):
     null: str | None
     # The allowed values of a choice or a code; else empty.
     choices: list[ChoiceEntry]
-    # Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none.
+    # Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has no code.
     code: str | None
     # Heading above the field in a form.
     group: str
@@ -283,7 +283,7 @@ class PostEntry(TypedDict):
     title: str
     # The usual file extension, without the dot.
     extension: str
-    # Highest number of a work offset that a program can write; 0 if it can write none.
+    # Highest number of a work offset that a program can write; 0 if it can write no offset.
     workOffsets: float
     # Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
     firstLength: bool
@@ -412,7 +412,7 @@ class ResultRow(TypedDict):
     deviation: float | None
     # Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball.
     uncertainty: float | None
-    # Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of calibration.
+    # Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives no eccentricity, or orients the spindle to the angle of calibration.
     uncertaintyRunout: float | None
     # Lower and upper limit, if there is a tolerance.
     limits: list[float] | None

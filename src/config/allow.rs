@@ -23,7 +23,7 @@ pub struct Allow {
     pub controls: Option<Vec<String>>,
     pub forms: Option<Vec<String>>,
     pub units: Option<Vec<String>>,
-    /// Numbers from 1; `None` in the list stands for measuring only.
+    /// Numbers from 1. `None` in the list means: measure only.
     pub work_offsets: Option<Vec<Option<f64>>>,
     /// Whether a job may have several cycles.
     pub set_ups: bool,

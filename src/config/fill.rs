@@ -126,7 +126,7 @@ fn forms(
     ProgramForm::ALL.into_iter().filter(allowed).filter(serves)
 }
 
-/// Control of a job that names none: the default, or else the first allowed control that supports the cycle in this form, or in any allowed form. `None` if the
+/// Control of a job that names no control: the default, or else the first allowed control that supports the cycle in this form, or in any allowed form. `None` if the
 /// default applies.
 fn post_for<'a>(
     config: &'a Config,

@@ -30,7 +30,7 @@ pub struct Catalog {
     pub standing: &'static [&'static str],
     /// Groups of codes in a CmdPrm table; the first matching group counts.
     pub code_groups: Vec<CodeGroup>,
-    /// Assumed rate of rapids in `plan().time`, mm/min, if the program states none.
+    /// Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate.
     pub rapid_rate: f64,
     /// Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.
     pub max_touches: usize,
@@ -167,7 +167,7 @@ pub struct FieldEntry {
     pub null: Option<&'static str>,
     /// The allowed values of a choice or a code; else empty.
     pub choices: Vec<ChoiceEntry>,
-    /// Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none.
+    /// Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has no code.
     pub code: Option<&'static str>,
     /// Heading above the field in a form.
     pub group: &'static str,
@@ -221,7 +221,7 @@ pub struct PostEntry {
     pub title: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
-    /// Highest number of a work offset that a program can write; 0 if it can write none.
+    /// Highest number of a work offset that a program can write; 0 if it can write no offset.
     pub work_offsets: i32,
     /// Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
     pub first_length: bool,

@@ -109,7 +109,7 @@ impl Draft {
         self.push(Node::Circle(samples, part))
     }
 
-    /// Sum of the expressions in order; 0 if there are none.
+    /// Sum of the expressions in order; 0 for an empty list.
     pub fn sum<'f, T: Into<Expr<'f>>>(&'f self, parts: impl Iterator<Item = T>) -> Expr<'f> {
         parts
             .map(Into::into)

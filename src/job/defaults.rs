@@ -232,7 +232,7 @@ fn leave_usual(control: &mut Value) {
     }
 }
 
-/// The tolerances of a job in characters that a comment of any control accepts; `None` if there are none.
+/// The tolerances of a job in characters that a comment of any control accepts. `None` for a job without tolerances.
 fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
     let Some(Value::Map(entries)) = job
         .get(TOLERANCES)

@@ -285,7 +285,7 @@ fn not_a_sum(text: &str, kind: Kind) -> Text {
     }
 }
 
-/// The result with this name and kind, or the reason why there is none.
+/// The result with this name and kind, or the reason why no such result exists.
 fn find(name: &str, kind: Kind, earlier: &EarlierCycles<'_>) -> Result<Known, Text> {
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
     let is_code = |known: &str| code.eq_ignore_ascii_case(known);
@@ -524,7 +524,7 @@ fn check_turn(checker: &mut Checker, planned: &PlannedJob, about: Vec3, index: u
     }
 }
 
-/// Sensitivity of a cycle's moves to a size, tried at both ends of its limit, or the reason why there is none.
+/// Sensitivity of a cycle's moves to a size, tried at both ends of its limit, or the reason why it is unknown.
 fn along(
     checker: &Checker,
     planned: &PlannedJob,

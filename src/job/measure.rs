@@ -129,7 +129,7 @@ fn expected<'a>(job: &'a Job, path: &'a Path) -> MeasurementContext<'a> {
     }
 }
 
-/// The block to type, if the control's program cannot write a work offset and the log is sufficient; else the reason why there is none.
+/// The block to type, if the control's program cannot write a work offset and the log is sufficient; else the reason why the block is missing.
 fn block(
     planned: &PlannedJob,
     points: &[Option<Vec3>],

@@ -116,7 +116,7 @@ fn is_taken_in(value: &Value, form: ProgramForm) -> bool {
 
 /// Checks of the whole path that apply to every cycle.
 fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
-    // The first touch of a point stands for its repetitions.
+    // Repetitions of a touch are skipped: only the first touch of a point is used.
     for (k, fault) in path
         .touch_faults(job.setup.radius)
         .into_iter()

@@ -260,7 +260,7 @@ impl PlannedJob {
     }
 }
 
-/// Linking of several native cycles in a program, or the reason why there is none; `None` for programs of moves.
+/// Linking of several native cycles in a program, or the reason why the control cannot link them. `None` for programs of moves.
 pub fn several(job: &Job) -> Option<Result<CycleLinking, &'static str>> {
     let none = Err(words!("{control} has no native cycles"));
     (job.form == ProgramForm::Cycle).then(|| job.post.own.map_or(none, |own| Ok(own.several)))

@@ -53,7 +53,7 @@ pub struct Plan {
 pub struct DatumRow {
     /// `x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis.
     pub axis: &'static str,
-    /// Result that is written, `BORE.center.x`, or would be if a work offset were chosen; null if there is none.
+    /// Result for the work offset, for example `BORE.center.x`, also if no offset is chosen yet. Null if no result can be written.
     pub from: Option<String>,
     /// Every possible result.
     pub choices: Vec<String>,
@@ -221,7 +221,7 @@ pub struct ResultRow {
     pub deviation: Option<f64>,
     /// Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball.
     pub uncertainty: Option<f64>,
-    /// Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of
+    /// Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives no eccentricity, or orients the spindle to the angle of
     /// calibration.
     pub uncertainty_runout: Option<f64>,
     /// Lower and upper limit, if there is a tolerance.

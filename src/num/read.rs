@@ -156,7 +156,7 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     };
     whole.shift(parts);
     let left = (exponent..0).fold(false, |left, _| whole.divide(10) > 0 || left);
-    // The highest bit stands for 2 to this power; a double has 53 bits from there, and none below the 1074th after the point.
+    // The highest bit has the value 2 to this power. A double has 53 bits from there, and no bit below the 1074th after the point.
     let power = whole.bits() - 1 - parts as i64 * 32;
     let lowest = (power - 52).max(-1074);
     let low = lowest + parts as i64 * 32;

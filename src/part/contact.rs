@@ -484,7 +484,7 @@ mod tests {
         // The top corner at (20, 20, 0): 1 beside, 2 above and 2 before it is at distance 3 (1-2-2-3).
         let (far, _) = block(3.0, [40.0, 21.0, 2.0], [-10.0, 21.0, 2.0]).unwrap();
         assert!((far - (20.0 - 2.0)).abs() < 1e-9, "{far}");
-        // Past the corner at a distance above the radius there is no contact; grazing is none.
+        // Past the corner at a distance above the radius there is no contact. Grazing is not a contact.
         assert_eq!(block(3.0, [40.0, 22.5, 2.5], [-10.0, 22.5, 2.5]), None);
         assert_eq!(block(3.0, [40.0, 23.0, -5.0], [-10.0, 23.0, -5.0]), None);
         // A point stylus touches the face itself; a ball inside has contact immediately.

@@ -63,7 +63,7 @@ pub fn evaluate(
 }
 
 /// Standard deviation of a result for a ball centre 1 mm off the spindle axis, with all angles equally likely. With the ball at an angle φ, the machine is off
-/// by (cos φ, sin φ) at every contact: a touch along v is off by v·(cos φ, sin φ). All touches share the angle, so their contributions add up before they are
+/// by (cos φ, sin φ) at every contact: the error of a touch along v is v·(cos φ, sin φ). All touches share the angle, so their contributions add up before they are
 /// squared: the variance is half the sum of the squares along both axes of the plane.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     // The derivative is by the scatter of a mean; the eccentricity shifts all its touches equally.

@@ -64,7 +64,7 @@ pub fn job_name(codes: &[f64], text: &str) -> String {
     job::job_name(&decoded(codes, text))
 }
 
-/// A stock that fits the features of a job; null if there is none.
+/// Stock that fits the features of a job. Null if no stock fits.
 #[wasm_bindgen(js_name = proposedStock)]
 pub fn proposed_stock(codes: &[f64], text: &str) -> JsValue {
     let mut job = decoded(codes, text);

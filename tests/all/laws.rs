@@ -9,7 +9,7 @@ use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::form::{Default, Field, Kind, Level, Value};
 use touchpath::job::{Plan, check, default_job, plan};
 
-/// Any value that a field allows or, now and then, one that it does not allow.
+/// Any value that a field allows or, sometimes, a value that it does not allow.
 fn field_value(field: &Field) -> BoxedStrategy<Value> {
     let (low, high) = field
         .usual

@@ -140,7 +140,7 @@ fn imports_point_down() {
                     .flat_map(|l| l.iter())
                     .any(|known| *known == name)
             {
-                // A path that is no top module of the crate could only be an item of the root, and there is none.
+                // A path that is no top module of the crate could only be an item of the root, and the root has no items.
                 assert!(
                     name == module || name.is_empty() || name == "*",
                     "{file} imports {name}, which has no layer"

@@ -216,8 +216,8 @@ fn a_displaced_part_changes_little() {
     }
 }
 
-/// Repeatability and eccentricity are independent: their squares add up. At the angle of calibration the eccentricity has no effect, and without a value there
-/// is none.
+/// Repeatability and eccentricity are independent: their squares add up. At the angle of calibration the eccentricity has no effect; without a
+/// value it is not computed.
 #[test]
 fn it_adds_to_the_scatter_and_calibration_takes_it_out() {
     let pocket = job(

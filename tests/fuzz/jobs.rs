@@ -16,7 +16,7 @@ fn text(text: &str) -> Value {
     Value::Text(text.to_owned())
 }
 
-/// Mostly usual values; now and then an end of a range, a value near it, or any allowed value.
+/// Mostly usual values; sometimes an end of a range, a value near it, or any allowed value.
 fn number(draw: &mut Draw, field: &FieldEntry, scale: f64) -> f64 {
     let [min, max] = field.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
     let [low, high] = field.usual.unwrap_or([min.max(-300.0), max.min(300.0)]);
@@ -424,7 +424,7 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
     crate::common::with(&related, "tolerances", Value::Map(tolerances))
 }
 
-/// A tool that is corrected, now and then in a refused way.
+/// A tool that is corrected, sometimes in a refused way.
 fn wear(draw: &mut Draw) -> Value {
     let mut entries = vec![("tool".to_owned(), Value::Number(draw.index(1001) as f64))];
     let mut maybe = |key: &str, value: f64, draw: &mut Draw| {

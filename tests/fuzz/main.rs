@@ -1,7 +1,7 @@
 //! The laws as a fuzzer: whole jobs over every cycle, control, plane and unit, and mutated dumps, programs and measured points for every reader. A job that
 //! breaks a law is stored in `target/fuzz/` and reported.
 //!
-//! `FUZZ_JOBS` sets the number of jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` the start of the fresh ones. `npm run fuzz` runs until it is
+//! `FUZZ_JOBS` sets the number of jobs (0 by default: a plain `cargo test` runs no jobs), `FUZZ_SEED` the start of the fresh ones. `npm run fuzz` runs until it is
 //! stopped.
 
 #[path = "../common/mod.rs"]

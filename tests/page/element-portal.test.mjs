@@ -403,7 +403,7 @@ test("an element has the language of its own lang, or that of what is around it"
   );
   assert.deepEqual(said.findings[0].said[1], ["Overtravel"]);
   assert.ok(said.message.includes(wordsOf("de").Overtravel), said.message);
-  // Another language later; none means that of the surroundings.
+  // The language can change later. Without a language the element uses that of its surroundings.
   await page.evaluate(() => {
     const [own, none] = ["own", "none"].map(
       (id) => /** @type {HTMLElement} */ (document.getElementById(id)),

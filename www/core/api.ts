@@ -274,7 +274,7 @@ export function importJob(text: string): Imported {
   const imported = instance.call<Imported>(() =>
     raw.importJob(text, codes, texts),
   );
-  // A job as JSON is returned with all its content; the module then returns none.
+  // A job as JSON is returned with all its content. The module then returns no job.
   return imported.kind === "job"
     ? { ...imported, job: imported.job ?? (json as Job) }
     : imported;

@@ -59,7 +59,7 @@ class Coder {
     }
   }
 
-  /** Codes the entries of an object; none if it cannot be read. */
+  /** Codes the entries of an object, or no entry if the object cannot be read. */
   private object(value: object, depth: number): void {
     if (depth === DEEPEST) {
       this.other(TOO_DEEP);

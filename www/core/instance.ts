@@ -130,7 +130,7 @@ export class Instance {
 export let raw: Raw;
 export let instance: Instance;
 
-/** Sets the module behind the functions. The page calls it again when its module replaces the prebuilt answers. */
+/** Sets the module that the functions call. The page calls it again when its module replaces the prebuilt answers. */
 export function attach(
   module: Raw,
   renew: () => void,

@@ -6,14 +6,14 @@ await init();
 
 export { raw };
 
-/** Answers until the module is loaded: none are needed here. */
+/** Answers until the module is loaded. This version needs no answers. */
 export const prebuiltAnswers: Raw | null = null;
 
 /** Arrival of the module; null once it is loaded. */
 export const arrival: Promise<void> | null = null;
 
-/** Loads missing parts of the module and returns whether any were missing: there are none. */
+/** Loads missing parts of the module and returns whether any were missing. This version has no second part, so it returns false. */
 export const completeNow = (): boolean => false;
 
-/** Loads missing parts of the module: there are none. */
+/** Loads missing parts of the module. This version has no second part. */
 export async function loadWhole(): Promise<void> {}

@@ -440,7 +440,7 @@ export interface ResultRow {
   deviation: number | null;
   /** Standard uncertainty of the value (one sigma): scatter of the touches, and eccentricity of the ball. */
   uncertainty: number | null;
-  /** Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives none, or orients the spindle to the angle of calibration. */
+  /** Part of the uncertainty that comes from the eccentricity of the ball (one sigma). Null if the job gives no eccentricity, or orients the spindle to the angle of calibration. */
   uncertaintyRunout: number | null;
   /** Lower and upper limit, if there is a tolerance. */
   limits: [number, number] | null;
@@ -520,7 +520,7 @@ export interface ProgramText {
 export interface DatumRow {
   /** `x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis. */
   axis: "x" | "y" | "z" | "rotation";
-  /** Result that is written, `BORE.center.x`, or would be if a work offset were chosen; null if there is none. */
+  /** Result for the work offset, for example `BORE.center.x`, also if no offset is chosen yet. Null if no result can be written. */
   from: string | null;
   /** Every possible result. */
   choices: string[];
@@ -638,7 +638,7 @@ export interface FieldEntry {
   null: string | null;
   /** The allowed values of a choice or a code; else empty. */
   choices: ChoiceEntry[];
-  /** Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has none. */
+  /** Code in the source's parameter table: `CmdPrm.Flt[-50]`. Null if it has no code. */
   code: string | null;
   /** Heading above the field in a form. */
   group: string;
@@ -738,7 +738,7 @@ export interface PostEntry {
   title: string;
   /** The usual file extension, without the dot. */
   extension: string;
-  /** Highest number of a work offset that a program can write; 0 if it can write none. */
+  /** Highest number of a work offset that a program can write; 0 if it can write no offset. */
   workOffsets: number;
   /** Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis. */
   firstLength: boolean;
@@ -794,7 +794,7 @@ export interface Catalog {
   standing: string[];
   /** Groups of codes in a CmdPrm table; the first matching group counts. */
   codeGroups: CodeGroup[];
-  /** Assumed rate of rapids in `plan().time`, mm/min, if the program states none. */
+  /** Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate. */
   rapidRate: number;
   /** Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry. */
   maxTouches: number;

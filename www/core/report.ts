@@ -225,7 +225,7 @@ export function runsOf(text: string, plan: Plan): string[] {
   });
   const coded = (line: string) => {
     const plain = pointed(line);
-    // A value follows it; a remark about a result has none.
+    // A value follows it. A remark about a result has no value.
     const found = names.filter(({ name }) =>
       new RegExp(
         `(^|[^a-z0-9.])${name.replace(/[.[\]#$]/g, "\\$&")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`,

@@ -25,7 +25,7 @@ type Units = "mm" | "inch";
  * @attr {string} job - The job as JSON. A job that cannot be shown changes nothing; a `finding` event gives the reason.
  * @attr {string} config - The rules of the portal, as JSON: see `Config`. A `<script type="application/json">` inside the element does the same. A config with errors changes nothing; a `finding` event lists them.
  * @attr {string} cycle - The type of the cycle, such as `hole`. A change keeps the rest of the job.
- * @attr {string} post - The control, by the `id` of a post in the catalog, for the current job and every later one that specifies none. If a job specifies another control, it has the finding `other-control`.
+ * @attr {string} post - The control, by the `id` of a post in the catalog, for the current job and every later one that specifies no control. If a job specifies another control, it has the finding `other-control`.
  * @attr {"mm" | "inch"} units - The units, in the same way; the values of the current job are converted. If a job specifies other units, it has the finding `other-units`.
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
  * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, the language of the nearest enclosing element that has one; with `storage="local"` the user's choice or else the browser's. Any other language shows English. Programs are always English.
@@ -198,7 +198,7 @@ export class TouchPath extends Showing {
   }
 
   /**
-   * The control of the job, by the id of a post in the catalog. Setting it applies to the current job and to every later one that specifies none; `null`
+   * The control of the job, by the id of a post in the catalog. Setting it applies to the current job and to every later one that specifies no control; `null`
    * withdraws it.
    */
   get post(): string | undefined {
@@ -209,7 +209,7 @@ export class TouchPath extends Showing {
     this.put("post", value);
   }
 
-  /** The units of the job. Setting them converts its values and applies to every later job that specifies none; `null` withdraws them. */
+  /** The units of the job. Setting them converts its values and applies to every later job that specifies no units; `null` withdraws them. */
   get units(): Units | undefined {
     return this.store?.units;
   }

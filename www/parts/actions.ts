@@ -109,7 +109,7 @@ export class Actions {
     await actions[what]?.();
   }
 
-  /** Goes to the field of a path or the first field inside it; to Checks if there is none. */
+  /** Goes to the field of a path or the first field inside it. Without such a field it opens Checks. */
   async go(wanted: string): Promise<void> {
     await this.page.tools.use("cycles");
     // A field of a cycle that is not active.
@@ -148,7 +148,7 @@ export class Actions {
       );
     if (!field) this.page.show("checks");
     field?.scrollIntoView({ block: "center" });
-    // A number that may be null has a checkbox in front of it.
+    // A number that may be null has a checkbox before it.
     const box =
       field?.matches(":disabled") &&
       field.closest(".line")?.querySelector<HTMLElement>(".check input");

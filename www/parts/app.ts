@@ -505,7 +505,7 @@ export class App extends LitElement {
     );
   }
 
-  /** The help belongs to the focused field; without focus none is shown. */
+  /** The help belongs to the focused field; without focus no help is shown. */
   private readonly unhelp = (event: Event): void => {
     const inside = (event.composedPath()[0] as Element).closest?.(
       "tp-form, tp-bar, tp-help",
@@ -534,7 +534,7 @@ export class App extends LitElement {
     return this.wanted.includes(panel) && this.checkVisibility();
   }
 
-  /** The app that shows a panel of the job: this one, or else one elsewhere on the page; this one if there is none. */
+  /** The app that shows a panel of the job: this one if it has the panel, else another one on the page that has it, else this one. */
   private with(panel: PanelName): App {
     if (this.sees(panel)) return this;
     return [...shown(this.store)].find((app) => app.sees(panel)) ?? this;

@@ -55,7 +55,7 @@ export abstract class DrawnPart extends CanvasPart {
     return this.querySelector("canvas") as HTMLCanvasElement;
   }
 
-  /** Canvas for highlights. It lies over the picture, which need not be redrawn. */
+  /** Canvas for highlights, on top of the picture, which need not be redrawn. */
   protected over(): HTMLCanvasElement {
     return this.querySelector("canvas.over") as HTMLCanvasElement;
   }

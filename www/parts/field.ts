@@ -300,7 +300,7 @@ export abstract class FieldPart extends StorePart {
       </select></span>`;
   }
 
-  /** Radio buttons for a few short choices. A value that is none of them is shown beside them. */
+  /** Radio buttons for a few short choices. Any other value is shown beside them. */
   protected radios(
     path: string,
     words: string[],

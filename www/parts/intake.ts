@@ -26,7 +26,7 @@ interface Page {
   showMoves(viewed: Viewed): void;
   /** Loads the part of the module that reads texts, with a message if it takes a while. */
   whole(): Promise<void>;
-  /** Reads a text in a worker until the signal aborts it; null if there is no worker. */
+  /** Reads a text in a worker until the signal aborts it. Null without a worker. */
   beside(text: string, signal: AbortSignal): Promise<Reading> | null;
 }
 

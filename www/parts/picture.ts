@@ -466,7 +466,7 @@ class PicturePart extends DrawnPart {
     return this.tried.moves;
   }
 
-  /** Grips the end of a dimension line; null if there is none, or if no number of the form moves it. */
+  /** Grips the end of a dimension line. Null if no line ends there, or if no number of the form moves it. */
   private gripped(view: PageView, at: Spot): (End & { at: Spot }) | null {
     const end = this.endAt(view, at);
     return end && view.gripEnd(this.store.job, end.field, end.index, at.x, at.y)

@@ -72,7 +72,7 @@ export class ProgramList {
     this.later();
   }
 
-  /** Highlights a line, or none; `reveal` scrolls to it. */
+  /** Highlights a line, or removes the highlight; `reveal` scrolls to it. */
   light(line: number, reveal: boolean): void {
     if (line === this.shown.lit) return;
     this.shown.lit = line;

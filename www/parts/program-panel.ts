@@ -349,7 +349,7 @@ class ProgramPart extends StorePart {
     this.requestUpdate();
   };
 
-  /** The program to compare with, or the reason why there is none. */
+  /** The program to compare with, or the reason why a comparison is impossible. */
   private other(): { text: string } | { why: string } {
     const { store } = this;
     if (this.against === "saved")

@@ -25,7 +25,7 @@ export interface Run {
   readonly touches: number[];
   /** Numbers of moves after which another cycle begins. */
   readonly chapters: number[];
-  /** Sets the current move, or none. */
+  /** Sets the current move. Without an argument no move is current. */
   point(move: number | null): void;
   /** A move in words, or the whole run; `short` fits under the slider. */
   words(move: number | null, short: boolean): string;

@@ -34,7 +34,7 @@ pub fn hides(text: &str) -> bool {
     memchr::memchr3(0x0b, 0x0c, 0, text.as_bytes()).is_some()
 }
 
-/// A text without surrounding blanks: spaces and tabs, as on controls. Most texts have none.
+/// A text without surrounding blanks: spaces and tabs, as on controls. Most texts have no blanks around them.
 pub fn trimmed(text: &str) -> &str {
     match text.as_bytes() {
         [] => text,
@@ -204,7 +204,7 @@ pub fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((if negative { -size } else { size }, first + length))
 }
 
-/// Position after the closing bracket; the end of the line if there is none.
+/// Position after the closing bracket, or the end of the line if no bracket closes.
 pub fn end_of(line: &[u8], at: usize, close: u8) -> usize {
     line[at..]
         .iter()

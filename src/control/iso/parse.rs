@@ -218,7 +218,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// A fault if there is any rest.
+    /// Fault if text is left over.
     pub fn end(&self) -> Parsed<()> {
         if self.is_done() {
             Ok(())

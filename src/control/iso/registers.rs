@@ -63,9 +63,9 @@ const TO_THE_END: usize = usize::MAX;
 
 /// Last use of each value of a formula.
 struct LastUses {
-    /// For each assignment, the assignment that reads it last; itself if there is none.
+    /// For each assignment, the last assignment that reads it, or its own index if nothing reads it.
     variables: Vec<usize>,
-    /// For each coordinate of each sample, the assignment that reads it last; `None` if there is none.
+    /// For each coordinate of each sample, the last assignment that reads it. `None` if nothing reads it.
     triggers: Vec<[Option<usize>; 3]>,
 }
 

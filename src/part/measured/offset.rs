@@ -1,7 +1,7 @@
 //! Difference between machine and work coordinates during the touches of a log, and the active work offset.
 //!
 //! Sources: grbl 1.1's report.c: `WCO` is the active one of G54 … G59, plus G92, plus the tool length along Z; and gcode.c: M2 and M30 activate G54. A status
-//! report contains `WCO` now and then. Missing or contradicting values are asked for.
+//! report contains `WCO` only from time to time. Missing or contradicting values are asked for.
 
 use crate::form::Checker;
 use crate::geom::Vec3;

@@ -14,7 +14,7 @@ pub fn list(checker: &mut Checker, items: &[Value]) -> Vec<Option<Vec3>> {
         .collect()
 }
 
-/// Reads lines `X1.2 Y3.4 Z5.6`. A line without a position is ignored; one that could be a point but is none of these is an error.
+/// Reads lines `X1.2 Y3.4 Z5.6`. A line without a position is ignored; a line that could be a point but has another form is an error.
 pub fn letters(checker: &mut Checker, lines: &[Numbered<'_>]) -> Vec<Option<Vec3>> {
     let mut points = Vec::new();
     for &(number, text) in lines {

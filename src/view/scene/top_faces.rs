@@ -190,7 +190,7 @@ impl FarSides {
     }
 }
 
-/// Whether two faces are strips of one round wall, to be drawn at once.
+/// Whether two faces are strips of one round wall, to be drawn together.
 pub fn together(one: &Face<'_>, other: &Face<'_>) -> bool {
     match (one, other) {
         (Face::Wall(a), Face::Wall(b)) => {

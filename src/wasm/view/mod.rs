@@ -326,7 +326,7 @@ impl View {
             .pick(self.camera.spot(Vec2::new(x, y)), 8.0 / self.camera.scale)
     }
 
-    /// Highlights a move, or none.
+    /// Highlights a move, or removes the highlight.
     pub fn highlight(&mut self, index: Option<usize>) {
         if self.highlight != index || self.part != 1.0 {
             self.highlight = index;
@@ -366,7 +366,7 @@ impl View {
         }
     }
 
-    /// Highlights the dimension of a field, by its path in the job, or none. `*` draws every height, and highlights none.
+    /// Highlights the dimension of a field, by its path in the job, or removes the highlight. `*` draws every height without a highlight.
     pub fn focus(&mut self, field: Option<String>) {
         if self.field != field {
             self.field = field;

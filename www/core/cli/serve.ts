@@ -395,7 +395,7 @@ export class Service {
     if (this.underWay >= this.settings.limits.requests)
       throw refused(503, "too many requests at once");
     this.underWay++;
-    // An answer queued behind another on its connection never closes if the connection does.
+    // An answer queued after another on its connection never closes if the connection does.
     socket.setMaxListeners(0);
     let over = false;
     const end = () => {

@@ -105,7 +105,7 @@ export interface Outcome {
 }
 type Done = Omit<Outcome, "source" | "place">;
 
-/** Findings with positions in the text of a job. Findings about the whole job or the measurements have none. */
+/** Findings with positions in the text of a job. Findings about the whole job or the measurements have no position. */
 function placed(text: string, findings: Finding[]): PlacedFinding[] {
   try {
     const place = placesIn(text);
@@ -242,7 +242,7 @@ function controlOf(job: unknown): string | null {
 
 let usualControl: string | null = null;
 
-/** Control of a job that specifies none. */
+/** Control of a job that specifies no control. */
 function usual(): string {
   if (usualControl === null) {
     const fields =
