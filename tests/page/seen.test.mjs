@@ -12,6 +12,7 @@ import {
   put,
   ready,
   setUp,
+  settles,
   textOf,
 } from "./common.mjs";
 
@@ -304,6 +305,8 @@ test("buttons of the picture and the timeline are as wide as a finger on a phone
 });
 
 test("what was typed last is there after a reload, though it is written a moment later", async () => {
+  // The write after the page was opened comes first: its timer runs on the real clock.
+  await settles(() => page.evaluate(() => sessionStorage.length > 0));
   // The page's clock is stopped: only leaving the page writes.
   await page.clock.install();
   await page.clock.pauseAt(Date.now() + 60_000);
