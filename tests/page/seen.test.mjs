@@ -11,8 +11,8 @@ import {
   pixels,
   put,
   ready,
-  setUp,
   settles,
+  setUp,
   textOf,
 } from "./common.mjs";
 
