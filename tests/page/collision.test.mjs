@@ -10,6 +10,7 @@ import {
   put,
   saveButton,
   setUp,
+  steady,
   textOf,
 } from "./common.mjs";
 
@@ -43,36 +44,38 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   // The crossed ball is at the position of the message.
   const place = /X (-?[\d.]+), Y (-?[\d.]+)/.exec(await textOf(stamp));
   assert.ok(place);
-  const red = await page.evaluate(
-    ([x, y]) => {
-      const root = /** @type {ShadowRoot} */ (
-        document.querySelector("touch-path")?.shadowRoot
-      );
-      const canvas = /** @type {HTMLCanvasElement} */ (
-        root.querySelector("tp-picture canvas")
-      );
-      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-      // The part's origin lies 60 mm beside the work origin: two handles give the picture's scale.
-      const at = picture.drawing.use((/** @type {any} */ view) => {
-        const [hx, hy] = view.handleSpot("shift");
-        const reach =
-          view.dragPart("shift", hx + 100, hy).offset[0] -
-          view.dragPart("shift", hx, hy).offset[0];
-        return [hx + ((x - 60) * 100) / reach, hy - (y * 100) / reach];
-      });
-      const drawn = /** @type {CanvasRenderingContext2D} */ (
-        canvas.getContext("2d")
-      );
-      const ratio = canvas.width / canvas.clientWidth;
-      const [r = 0, g = 0, b = 0] = drawn.getImageData(
-        Math.round(at[0] * ratio),
-        Math.round(at[1] * ratio),
-        1,
-        1,
-      ).data;
-      return [r, g, b];
-    },
-    /** @type {[number, number]} */ ([Number(place[1]), Number(place[2])]),
+  const red = await steady(() =>
+    page.evaluate(
+      ([x, y]) => {
+        const root = /** @type {ShadowRoot} */ (
+          document.querySelector("touch-path")?.shadowRoot
+        );
+        const canvas = /** @type {HTMLCanvasElement} */ (
+          root.querySelector("tp-picture canvas")
+        );
+        const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+        // The part's origin lies 60 mm beside the work origin: two handles give the picture's scale.
+        const at = picture.drawing.use((/** @type {any} */ view) => {
+          const [hx, hy] = view.handleSpot("shift");
+          const reach =
+            view.dragPart("shift", hx + 100, hy).offset[0] -
+            view.dragPart("shift", hx, hy).offset[0];
+          return [hx + ((x - 60) * 100) / reach, hy - (y * 100) / reach];
+        });
+        const drawn = /** @type {CanvasRenderingContext2D} */ (
+          canvas.getContext("2d")
+        );
+        const ratio = canvas.width / canvas.clientWidth;
+        const [r = 0, g = 0, b = 0] = drawn.getImageData(
+          Math.round(at[0] * ratio),
+          Math.round(at[1] * ratio),
+          1,
+          1,
+        ).data;
+        return [r, g, b];
+      },
+      /** @type {[number, number]} */ ([Number(place[1]), Number(place[2])]),
+    ),
   );
   assert.ok((red[0] ?? 0) > 150 && (red[1] ?? 255) < 100, `${red}`);
   await page

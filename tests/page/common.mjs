@@ -307,33 +307,52 @@ export const PICTURE = "canvas:not(.over, .mini)";
 
 /** Ends of the dimension lines, in the window. */
 export const dimensionLines = () =>
-  page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (
-      document.querySelector("touch-path")?.shadowRoot
-    );
-    const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-    const box = /** @type {HTMLElement} */ (
-      picture.querySelector("canvas")
-    ).getBoundingClientRect();
-    const all = picture.drawing.use((/** @type {any} */ view) =>
-      view.dimensionLines(),
-    );
-    return Object.fromEntries(
-      all.map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
-        field,
-        [
-          { x: box.x + x1, y: box.y + y1 },
-          { x: box.x + x2, y: box.y + y2 },
-        ],
-      ]),
-    );
-  });
+  steady(() =>
+    page.evaluate(() => {
+      const root = /** @type {ShadowRoot} */ (
+        document.querySelector("touch-path")?.shadowRoot
+      );
+      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+      const box = /** @type {HTMLElement} */ (
+        picture.querySelector("canvas")
+      ).getBoundingClientRect();
+      const all = picture.drawing.use((/** @type {any} */ view) =>
+        view.dimensionLines(),
+      );
+      return Object.fromEntries(
+        all.map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
+          field,
+          [
+            { x: box.x + x1, y: box.y + y1 },
+            { x: box.x + x2, y: box.y + y2 },
+          ],
+        ]),
+      );
+    }),
+  );
 
 /** Waits until a change is drawn: once per frame. */
 export const framed = (tab = page) =>
   tab.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => done(null))),
   );
+
+/**
+ * A value read from the picture, once two frames in a row give the same: a new
+ * job is fitted to the picture one frame after it is chosen.
+ * @template T
+ * @param {() => Promise<T>} read
+ * @returns {Promise<T>}
+ */
+export async function steady(read) {
+  for (let last = ""; ; ) {
+    await framed();
+    const value = await read();
+    const text = JSON.stringify(value);
+    if (text === last) return value;
+    last = text;
+  }
+}
 
 /** Drawn pixels of a canvas and its overlay: the number that are not background, and a checksum. */
 export const pixels = async () => {

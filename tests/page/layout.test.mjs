@@ -13,6 +13,7 @@ import {
   SIZES,
   settles,
   setUp,
+  steady,
   textOf,
 } from "./common.mjs";
 
@@ -302,23 +303,25 @@ for (const locale of ["en-US", "de-DE"])
 
 test("a tap on a dimension left the focus on the picture: it is in the field", async () => {
   await open({ viewport: { width: 1024, height: 768 }, hasTouch: true });
-  const spot = await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (
-      document.querySelector("touch-path")?.shadowRoot
-    );
-    const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-    const box = root
-      .querySelector("tp-picture canvas")
-      ?.getBoundingClientRect();
-    for (let y = 4; box && y < box.height; y += 4)
-      for (let x = 4; x < box.width; x += 4) {
-        const field = picture.drawing.use((/** @type {any} */ view) =>
-          view.handleAt(x, y, 14) ? undefined : view.dimensionAt(x, y),
-        );
-        if (field) return { field, x: box.left + x, y: box.top + y };
-      }
-    return null;
-  });
+  const spot = await steady(() =>
+    page.evaluate(() => {
+      const root = /** @type {ShadowRoot} */ (
+        document.querySelector("touch-path")?.shadowRoot
+      );
+      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+      const box = root
+        .querySelector("tp-picture canvas")
+        ?.getBoundingClientRect();
+      for (let y = 4; box && y < box.height; y += 4)
+        for (let x = 4; x < box.width; x += 4) {
+          const field = picture.drawing.use((/** @type {any} */ view) =>
+            view.handleAt(x, y, 14) ? undefined : view.dimensionAt(x, y),
+          );
+          if (field) return { field, x: box.left + x, y: box.top + y };
+        }
+      return null;
+    }),
+  );
   assert.ok(spot);
   await page.touchscreen.tap(spot.x, spot.y);
   await settles(async () => (await focusedId()) === `f-${spot.field}`);

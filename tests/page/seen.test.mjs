@@ -13,6 +13,7 @@ import {
   ready,
   settles,
   setUp,
+  steady,
   textOf,
 } from "./common.mjs";
 
@@ -20,15 +21,17 @@ setUp({ width: 1440, height: 900 });
 
 /** The lines of the dimensions, pixels of the picture, by field. */
 const lines = () =>
-  page.evaluate(() => {
-    const root = document.querySelector("touch-path")?.shadowRoot;
-    const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
-    return /** @type {[string, number, number, number, number][]} */ (
-      picture.drawing.use((/** @type {any} */ view) =>
-        [...view.dimensionLines()].map((line) => [...line]),
-      )
-    );
-  });
+  steady(() =>
+    page.evaluate(() => {
+      const root = document.querySelector("touch-path")?.shadowRoot;
+      const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
+      return /** @type {[string, number, number, number, number][]} */ (
+        picture.drawing.use((/** @type {any} */ view) =>
+          [...view.dimensionLines()].map((line) => [...line]),
+        )
+      );
+    }),
+  );
 const lengthOf = async (/** @type {string} */ path) => {
   const [, x, y, u, v] = (await lines()).find(([field]) => field === path) ?? [
     "",

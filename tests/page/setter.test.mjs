@@ -11,6 +11,7 @@ import {
   saveButton,
   settles,
   setUp,
+  steady,
   textOf,
 } from "./common.mjs";
 
@@ -520,27 +521,29 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
         "internal-rectangle-protected",
       ),
     );
-    const share = await page.evaluate(() => {
-      const root = document.querySelector("touch-path")?.shadowRoot;
-      const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
-      const canvas = /** @type {HTMLCanvasElement} */ (
-        picture.querySelector("canvas")
-      );
-      const lines = picture.drawing.use((/** @type {any} */ view) =>
-        view.dimensionLines(),
-      );
-      // As wide, or where the picture is low as high.
-      const long = (/** @type {string} */ field) => {
-        const [, x1, y1, x2, y2] = lines.find(
-          (/** @type {any[]} */ line) => line[0] === field,
+    const share = await steady(() =>
+      page.evaluate(() => {
+        const root = document.querySelector("touch-path")?.shadowRoot;
+        const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
+        const canvas = /** @type {HTMLCanvasElement} */ (
+          picture.querySelector("canvas")
         );
-        return Math.hypot(x2 - x1, y2 - y1);
-      };
-      return Math.max(
-        long("cycle.width1") / canvas.clientWidth,
-        long("cycle.width2") / canvas.clientHeight,
-      );
-    });
+        const lines = picture.drawing.use((/** @type {any} */ view) =>
+          view.dimensionLines(),
+        );
+        // As wide, or where the picture is low as high.
+        const long = (/** @type {string} */ field) => {
+          const [, x1, y1, x2, y2] = lines.find(
+            (/** @type {any[]} */ line) => line[0] === field,
+          );
+          return Math.hypot(x2 - x1, y2 - y1);
+        };
+        return Math.max(
+          long("cycle.width1") / canvas.clientWidth,
+          long("cycle.width2") / canvas.clientHeight,
+        );
+      }),
+    );
     assert.ok(share >= 0.55, `${share}`);
     const small = await page.evaluate(() => {
       const root = /** @type {ShadowRoot} */ (
