@@ -223,7 +223,7 @@ async function elementTypes() {
     basename(file),
     readFileSync(join(types, file), "utf8")
       .replaceAll('"./element/', '"./')
-      .replaceAll(/"\.\.?\/core\/types\.js"/g, '"../types.js"'),
+      .replaceAll(/"\.\.?\/core\/(types|events)\.js"/g, '"../$1.js"'),
   ]);
   rmSync(types, { recursive: true });
   return Object.fromEntries(own);

@@ -28,7 +28,7 @@ const WORDS = new Set([
 ]);
 
 const literal = (/** @type {unknown[]} */ values) =>
-  `Literal[${values.map((one) => JSON.stringify(one)).join(", ")}]`;
+  `Literal[${values.map((one) => (one === null ? "None" : JSON.stringify(one))).join(", ")}]`;
 
 /** Members of a union, or the type itself. @param {Schema} part @returns {string[]} */
 const members = (part) =>

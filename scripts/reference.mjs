@@ -236,7 +236,7 @@ ${parts()}
 
 The class of the element is \`TouchPath\`, and that of panels elsewhere \`TouchPart\`.
 
-${types("element/events.d.ts")}
+${types("events.d.ts", (name) => name !== "EVENTS")}
 ${types("element/element.d.ts")}
 ### React
 

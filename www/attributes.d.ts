@@ -1,11 +1,11 @@
 // Attributes of the elements, as the types of frameworks need them.
 import type { TouchPath, TouchPathEvents } from "./element/element.js";
-import type { Config, Cycle, Job, PostId, SetUp } from "./types.js";
+import type { AnyJob, Config, Cycle, PostId } from "./types.js";
 
 /** The properties of `<touch-path>`. */
 export interface TouchPathAttributes {
   config?: Config | string | null;
-  job?: Job | SetUp | string | null;
+  job?: AnyJob | string | null;
   cycle?: Cycle["type"] | null;
   post?: PostId | null;
   units?: "mm" | "inch" | null;
@@ -16,6 +16,7 @@ export interface TouchPathAttributes {
   view?: "top" | "front" | "side" | "isometric";
   measured?: string | null;
   storage?: "none" | "local";
+  history?: "session" | "none";
   links?: boolean;
   disabled?: boolean;
   name?: string;
@@ -27,6 +28,18 @@ export interface TouchPartAttributes {
   session?: TouchPath | null;
   panels?: string | null;
 }
+
+/** `job-change` as `JobChange`. */
+type Camel<S extends string> = S extends `${infer A}-${infer B}`
+  ? `${Capitalize<A>}${Camel<B>}`
+  : Capitalize<S>;
+
+/** The listeners of `<touch-path>` as components have them: `onChange`, `onJobChange`. */
+export type TouchPathHandlers = {
+  [K in keyof TouchPathEvents as `on${Camel<K>}`]?: (
+    event: TouchPathEvents[K],
+  ) => void;
+};
 
 /** The listeners of `<touch-path>`, as React and Svelte have them: `onjob-change`. */
 export type TouchPathListeners = {

@@ -9,6 +9,7 @@ import {
   type Message,
   type Words,
 } from "./core/browser.js";
+import type { ChangeReason } from "./core/events.js";
 import { byCode, type SetUpState } from "./cycle-list.js";
 import type { Units } from "./entries.js";
 import { LockedFields } from "./fixed.js";
@@ -75,6 +76,10 @@ export abstract class Document extends Output {
   protected readOnly = false;
   /** Whether the current change is by the host page. */
   protected host = false;
+  /** Cause of the user's current change. */
+  private userReason: Exclude<ChangeReason, "host"> = "edit";
+  /** Whether the host page keeps the undo history. */
+  private historyAtHost = false;
   /** The default name of the job: while the job has it, the name follows what is measured. Null for another job. */
   protected automaticName: string | null = null;
   /** The number of documents so far. */
@@ -110,9 +115,26 @@ export abstract class Document extends Output {
     this.history.clear();
   }
 
+  /** Whether the user's steps can be undone here; otherwise the host page has its own undo. */
+  get keepsHistory(): boolean {
+    return !this.historyAtHost;
+  }
+
+  set keepsHistory(keeps: boolean) {
+    if (keeps === this.keepsHistory) return;
+    this.historyAtHost = !keeps;
+    this.clear();
+    this.asHost(() => this.dispatchEvent(new Event("change")));
+  }
+
   /** Whether the current change is by the user, not by the host page. */
   get userChange(): boolean {
     return !this.host;
+  }
+
+  /** Cause of the current change. */
+  get changeReason(): ChangeReason {
+    return this.host ? "host" : this.userReason;
   }
 
   /** Runs a change by the host page: it adds no undo step and ignores locks and read-only. */
@@ -309,7 +331,6 @@ export abstract class Document extends Output {
   /** Ends the current undo step. */
   settle(): void {
     this.history.settle();
-    this.dispatchEvent(new Event("edit-committed"));
   }
 
   get canUndo(): boolean {
@@ -322,11 +343,30 @@ export abstract class Document extends Output {
 
   /** Undoes the last step: a field, a drag, an opened file or a reset. */
   undo(): void {
-    if (!this.refuses) this.become(this.history.undo(() => this.moment()));
+    this.goTo("undo");
   }
 
   redo(): void {
-    if (!this.refuses) this.become(this.history.redo(() => this.moment()));
+    this.goTo("redo");
+  }
+
+  private goTo(step: "undo" | "redo"): void {
+    if (this.refuses) return;
+    const moment = this.history[step](() => this.moment());
+    this.because(step, () => this.become(moment));
+  }
+
+  /** Makes a change of the user with this cause. */
+  private because(
+    reason: Exclude<ChangeReason, "host">,
+    change: () => void,
+  ): void {
+    this.userReason = reason;
+    try {
+      change();
+    } finally {
+      this.userReason = "edit";
+    }
   }
 
   protected moment(): Snapshot {
@@ -344,7 +384,7 @@ export abstract class Document extends Output {
 
   /** Called before a change. Changes of the same path share an undo step. */
   protected mark(changing: string | null): void {
-    this.history.mark(changing, () => this.moment());
+    if (this.keepsHistory) this.history.mark(changing, () => this.moment());
   }
 
   /** Restores an earlier state. */
@@ -390,7 +430,6 @@ export abstract class Document extends Output {
     this.followLimit();
     this.keep();
     this.dispatchEvent(new Event("change"));
-    if (this.history.settled) this.dispatchEvent(new Event("edit-committed"));
   }
 
   /** Updates the program name, unless the user has typed one. */
@@ -431,7 +470,7 @@ export abstract class Document extends Output {
     this.typed.clear();
     this.pinned = null;
     this.highlight = null;
-    this.changed();
+    this.because("open", () => this.changed());
   }
 
   /** The form of a job. For a set-up it is that of the first cycle; the list keeps the others. */

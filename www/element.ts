@@ -1,10 +1,15 @@
 // Defines the elements. This file is small: it loads the rest and the WebAssembly module when the first element enters a document.
-import type { TouchPathEvents } from "./element/events.js";
+import type { TouchPathEvents } from "./core/events.js";
 import { TouchForm, TouchPicture, TouchProgram } from "./element/touch-part.js";
 import { TouchPath } from "./element/touch-path.js";
 
-export type { PanelName } from "./core/types.js";
-export type { Selection, TouchPathEvents } from "./element/events.js";
+export type {
+  ChangeReason,
+  EventDetails,
+  Selection,
+  TouchPathEvents,
+} from "./core/events.js";
+export type { AnyJob, PanelName } from "./core/types.js";
 export {
   TouchForm,
   TouchPart,
@@ -20,7 +25,8 @@ declare global {
     "touch-picture": TouchPicture;
     "touch-program": TouchProgram;
   }
-  interface HTMLElementEventMap extends TouchPathEvents {}
+  // Every element has a `change` event; that of `<touch-path>` is typed by its own `addEventListener`.
+  interface HTMLElementEventMap extends Omit<TouchPathEvents, "change"> {}
 }
 
 // If another version has defined the elements, they stay. This version can be defined under another name.

@@ -18,11 +18,6 @@ export class History<Moment> {
     this.changing = changing;
   }
 
-  /** Whether the next change begins a new step. */
-  get settled(): boolean {
-    return this.changing === null;
-  }
-
   /** Ends the current step. */
   settle(): void {
     this.changing = null;

@@ -9,6 +9,8 @@ import {
   type Message,
   say,
 } from "./core/browser.js";
+import { isTooLarge } from "./core/coded.js";
+import { MOST_VALUES } from "./core/layout.js";
 import type { CatalogView, Units } from "./entries.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
 import { Rules } from "./rules.js";
@@ -383,6 +385,17 @@ export class HostInputs {
         };
       }
     }
+    if (isTooLarge(job))
+      return {
+        refusal: refused(
+          "job",
+          "too-long",
+          w(
+            "Nothing was changed: this job is too large. A job has at most {most} values",
+          ),
+          String(MOST_VALUES),
+        ),
+      };
     // Throws for a value without JSON, such as a BigInt or a circular object.
     JSON.stringify(job);
     const own = job as Draft;

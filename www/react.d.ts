@@ -3,6 +3,7 @@ import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
 import type {
   TouchPartAttributes,
   TouchPathAttributes,
+  TouchPathHandlers,
   TouchPathListeners,
 } from "./attributes.js";
 import type {
@@ -10,7 +11,7 @@ import type {
   TouchPath as TouchPathElement,
 } from "./element/element.js";
 
-/** The properties of `<touch-path>`. */
+/** The properties of the bare tag `<touch-path>`. */
 export type TouchPathProps = DetailedHTMLProps<
   HTMLAttributes<TouchPathElement>,
   TouchPathElement
@@ -25,11 +26,32 @@ export type TouchPartProps = DetailedHTMLProps<
 > &
   TouchPartAttributes;
 
+/** The properties of the component `TouchPath`. */
+export type TouchPathComponentProps = Omit<
+  TouchPathProps,
+  keyof TouchPathHandlers | "onLoad" | "onError"
+> &
+  TouchPathHandlers & {
+    /** The element is loaded and shown. */
+    onLoad?: (event: Event) => void;
+    /** The element could not be loaded. */
+    onError?: (event: ErrorEvent) => void;
+  };
+
 /**
  * `<touch-path>` as a component for React 19. In a tree that was rendered on a server, React sets neither properties nor listeners of a custom element. The
  * component sets them and loads the element in the browser.
  */
-export function TouchPath(props: TouchPathProps): ReactElement;
+export function TouchPath(props: TouchPathComponentProps): ReactElement;
+
+/** `<touch-form>` as a component: the form of a `<touch-path>` elsewhere on the page. */
+export function TouchForm(props: TouchPartProps): ReactElement;
+
+/** `<touch-picture>` as a component. */
+export function TouchPicture(props: TouchPartProps): ReactElement;
+
+/** `<touch-program>` as a component. */
+export function TouchProgram(props: TouchPartProps): ReactElement;
 
 declare module "react" {
   namespace JSX {

@@ -1,20 +1,15 @@
 // Types of the elements in Vue templates: `import type {} from "touchpath/vue"` in any file of a project.
 import type { HTMLAttributes, PublicProps } from "vue";
-import type { TouchPartAttributes, TouchPathAttributes } from "./attributes.js";
-import type { TouchPathEvents } from "./element/element.js";
+import type {
+  TouchPartAttributes,
+  TouchPathAttributes,
+  TouchPathHandlers,
+} from "./attributes.js";
 
-/** A listener for `job-change` is `@job-change` in a template, which Vue types as `onJobChange`. */
-type Camel<S extends string> = S extends `${infer A}-${infer B}`
-  ? `${A}${Capitalize<Camel<B>>}`
-  : S;
-
-/** Properties that a template can set. */
+/** Properties that a template can set. A listener for `job-change` is `@job-change` there, which Vue types as `onJobChange`. */
 export type TouchPathProps = TouchPathAttributes &
-  HTMLAttributes & {
-    [K in keyof TouchPathEvents as `on${Capitalize<Camel<K & string>>}`]?: (
-      event: TouchPathEvents[K],
-    ) => void;
-  };
+  TouchPathHandlers &
+  Omit<HTMLAttributes, keyof TouchPathHandlers>;
 
 type Part = new () => {
   $props: TouchPartAttributes & HTMLAttributes & PublicProps;

@@ -34,11 +34,11 @@ namespace Touchpath
         /// <summary>Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate.</summary>
         public double RapidRate { get; set; }
         /// <summary>Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.</summary>
-        public double MaxTouches { get; set; }
+        public int MaxTouches { get; set; }
         /// <summary>Length of the longest text that can become a job, in UTF-16 units (characters as JavaScript counts them).</summary>
-        public double LongestText { get; set; }
+        public int LongestText { get; set; }
         /// <summary>Length of the longest program whose moves are read, in the same units.</summary>
-        public double LongestProgram { get; set; }
+        public int LongestProgram { get; set; }
     }
 
     /// <summary>A line of `touchpath check --json`.</summary>
@@ -63,9 +63,9 @@ namespace Touchpath
         /// <summary>Heading of the group.</summary>
         public string Title { get; set; }
         /// <summary>The lowest code, included.</summary>
-        public double Lowest { get; set; }
+        public int Lowest { get; set; }
         /// <summary>The highest code, included.</summary>
-        public double Highest { get; set; }
+        public int Highest { get; set; }
     }
 
     /// <summary>A cycle with its form and its source.</summary>
@@ -82,11 +82,11 @@ namespace Touchpath
         /// <summary>Source and number: `ENCY/SprutCAM type 5`.</summary>
         public string Source { get; set; }
         /// <summary>Type number in the source's parameter table, if it has one.</summary>
-        public double? Number { get; set; }
+        public int? Number { get; set; }
         /// <summary>Whether its touches may be picked one by one (`cycle.touches`).</summary>
         public bool Touches { get; set; }
         /// <summary>Largest number of touches.</summary>
-        public double MaxTouches { get; set; }
+        public int MaxTouches { get; set; }
         /// <summary>Whether it has its own feeds and search length.</summary>
         public bool OwnFeeds { get; set; }
         /// <summary>Page of the manual: a path in this repository.</summary>
@@ -186,7 +186,7 @@ namespace Touchpath
     public class Lentoax
     {
         /// <summary>0: `axind` is the full answer; 1: `matrix` must be read; -1: unknown coordinate system; -2: no active tool.</summary>
-        public double Status { get; set; }
+        public int Status { get; set; }
         /// <summary>For abscissa, ordinate and applicate: the number of the length that acts there, negative if it points the other way.</summary>
         public double[] Axind { get; set; }
         /// <summary>Rows abscissa, ordinate, applicate; columns L1, L2, L3.</summary>
@@ -216,13 +216,13 @@ namespace Touchpath
         /// <summary>`position`, `touch` or `back`.</summary>
         public string Kind { get; set; }
         /// <summary>Step in the cycle's documented list, from 1; 0 for a link move between two cycles. With native cycles: the line that makes it, counted from that of the first move.</summary>
-        public double Step { get; set; }
+        public int Step { get; set; }
         /// <summary>Index of its touch, for touches and retracts; null for positioning.</summary>
-        public double? Touch { get; set; }
+        public int? Touch { get; set; }
         /// <summary>The arc of the move; null is a straight line.</summary>
         public Arc Arc { get; set; }
         /// <summary>Index of its cycle in a set-up, or of the cycle that a link move leads to; 0 for a job with one cycle.</summary>
-        public double Cycle { get; set; }
+        public int Cycle { get; set; }
     }
 
     /// <summary>One row of the parameter table.</summary>
@@ -239,9 +239,9 @@ namespace Touchpath
         /// <summary>Path of the job field that gives the value.</summary>
         public string Field { get; set; }
         /// <summary>Index of the touch that gives the value; null if it concerns the whole cycle.</summary>
-        public double? Touch { get; set; }
+        public int? Touch { get; set; }
         /// <summary>Index of its cycle in a set-up; 0 for a job with one cycle.</summary>
-        public double Cycle { get; set; }
+        public int Cycle { get; set; }
     }
 
     /// <summary>The plan of a job. Lengths in the job's units, angles in degrees.</summary>
@@ -293,7 +293,7 @@ namespace Touchpath
         /// <summary>The usual file extension, without the dot.</summary>
         public string Extension { get; set; }
         /// <summary>Highest number of a work offset that a program can write; 0 if it can write no offset.</summary>
-        public double WorkOffsets { get; set; }
+        public int WorkOffsets { get; set; }
         /// <summary>Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.</summary>
         public bool FirstLength { get; set; }
         /// <summary>Whether its program watches positioning moves with the probe.</summary>
@@ -320,7 +320,7 @@ namespace Touchpath
         /// <summary>Lines, each ended by a line feed.</summary>
         public string Text { get; set; }
         /// <summary>The 0-based line of each move; −1 if the native cycle makes it.</summary>
-        public double[] MoveLines { get; set; }
+        public int[] MoveLines { get; set; }
         /// <summary>Values that the program writes, in its own blocks or by the called cycle. For the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. For the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty if it only measures.</summary>
         public string[] Writes { get; set; }
         /// <summary>Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.</summary>
@@ -346,9 +346,9 @@ namespace Touchpath
     public class ProofRow
     {
         /// <summary>Number of moves of the path that the program makes, each with the right position, kind and feed.</summary>
-        public double Moves { get; set; }
+        public int Moves { get; set; }
         /// <summary>Number of touches among them.</summary>
-        public double Touches { get; set; }
+        public int Touches { get; set; }
         /// <summary>Whether the program computes the results, and they are right.</summary>
         public bool Arithmetic { get; set; }
     }
@@ -365,9 +365,9 @@ namespace Touchpath
         /// <summary>Whether its operands are positions, named by their cycles and relations; else single results.</summary>
         public bool Places { get; set; }
         /// <summary>Smallest number of operands.</summary>
-        public double Least { get; set; }
+        public int Least { get; set; }
         /// <summary>Largest number of operands; null is any number.</summary>
-        public double? Most { get; set; }
+        public int? Most { get; set; }
         /// <summary>Codes of its results; `.angle` is added to the first if the operands are angles.</summary>
         public string[] Results { get; set; }
     }
@@ -383,7 +383,7 @@ namespace Touchpath
         public string Control { get; set; }
         /// <summary>Hash of the program's blocks from its header; empty without one.</summary>
         public string Program { get; set; }
-        public double Parts { get; set; }
+        public int Parts { get; set; }
         /// <summary>The worst verdict: `good`, `good within ±`, `out within ±`, `not measured`, `out` and others; `null` without any tolerance.</summary>
         public string Verdict { get; set; }
         public ReportRow[] Rows { get; set; }
@@ -441,7 +441,7 @@ namespace Touchpath
         /// <summary>Storage in the control after its native cycles: `#135`. Null for a program of moves, whose header lists it.</summary>
         public string Stored { get; set; }
         /// <summary>Index of its cycle in a set-up, or, after all cycles, of its relation; 0 for a job with one cycle.</summary>
-        public double Cycle { get; set; }
+        public int Cycle { get; set; }
         /// <summary>Its texts as templates and their values.</summary>
         public ResultWords Said { get; set; }
     }
@@ -480,9 +480,9 @@ namespace Touchpath
         /// <summary>`message` as a template and its values.</summary>
         public object[] Said { get; set; }
         /// <summary>The 0-based lines that break it.</summary>
-        public double[] Lines { get; set; }
+        public int[] Lines { get; set; }
         /// <summary>The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it.</summary>
-        public double[] About { get; set; }
+        public int[] About { get; set; }
     }
 
     /// <summary>One section of a job.</summary>
@@ -500,7 +500,7 @@ namespace Touchpath
     public class Series
     {
         /// <summary>Number of parts with a value.</summary>
-        public double Count { get; set; }
+        public int Count { get; set; }
         public double Mean { get; set; }
         public double Min { get; set; }
         public double Max { get; set; }
@@ -537,9 +537,9 @@ namespace Touchpath
         /// <summary>Target vector: unit outward normal of the surface.</summary>
         public double[] Vector { get; set; }
         /// <summary>Index of the touched surface, from 0.</summary>
-        public double Group { get; set; }
+        public int Group { get; set; }
         /// <summary>Index of its cycle in a set-up; 0 for a job of one cycle.</summary>
-        public double Cycle { get; set; }
+        public int Cycle { get; set; }
     }
 
     /// <summary>One move of a program.</summary>
@@ -552,7 +552,7 @@ namespace Touchpath
         /// <summary>Feed; null for a rapid, or if no block has stated one.</summary>
         public double? Feed { get; set; }
         /// <summary>The 0-based line of the move.</summary>
-        public double Line { get; set; }
+        public int Line { get; set; }
     }
 
     /// <summary>The moves of a program without a job.</summary>
@@ -572,6 +572,6 @@ namespace Touchpath
         /// <summary>Key of the other field, in the same form.</summary>
         public string Key { get; set; }
         /// <summary>The code that it must have.</summary>
-        public double Value { get; set; }
+        public int Value { get; set; }
     }
 }

@@ -4,6 +4,7 @@ import "../../dist/element/element.js";
 import { code, FRAMEWORKS } from "./code.js";
 
 const EVENTS = [
+  "change",
   "job-change",
   "plan-change",
   "selection-change",

@@ -17,7 +17,8 @@ def plan(job: str, command: list[str]) -> Plan:
     """The plan of a job's file. Where the job has errors, they are said as the command says them."""
     done = subprocess.run([*command, "plan", job, "--json"], capture_output=True, text=True)
     if done.returncode == 0:
-        return json.loads(done.stdout)
+        made: Plan = json.loads(done.stdout)
+        return made
     if done.returncode == 2:
         raise SystemExit(done.stderr.strip())
     for finding in json.loads(done.stderr)["findings"]:
@@ -35,8 +36,9 @@ def main() -> None:
     lines = program["text"].splitlines()
     print(f"\n{program['post']}: {len(lines)} lines, {program['does']}")
     for move, line in zip(made["moves"], program["moveLines"]):
-        if move["kind"] == "touch" and line >= 0:
-            print(f"touch {move['touch'] + 1}: line {line + 1}: {lines[line]}")
+        touch = move["touch"]
+        if move["kind"] == "touch" and touch is not None and line >= 0:
+            print(f"touch {touch + 1}: line {line + 1}: {lines[line]}")
 
 
 if __name__ == "__main__":

@@ -40,11 +40,11 @@ class Catalog(TypedDict):
     # Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate.
     rapidRate: float
     # Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry.
-    maxTouches: float
+    maxTouches: Integer
     # Length of the longest text that can become a job, in UTF-16 units (characters as JavaScript counts them).
-    longestText: float
+    longestText: Integer
     # Length of the longest program whose moves are read, in the same units.
-    longestProgram: float
+    longestProgram: Integer
 
 
 # A line of `touchpath check --json`.
@@ -66,9 +66,9 @@ class CodeGroup(TypedDict):
     # Heading of the group.
     title: str
     # The lowest code, included.
-    lowest: float
+    lowest: Integer
     # The highest code, included.
-    highest: float
+    highest: Integer
 
 
 # A cycle with its form and its source.
@@ -84,11 +84,11 @@ class CycleEntry(TypedDict):
     # Source and number: `ENCY/SprutCAM type 5`.
     source: str
     # Type number in the source's parameter table, if it has one.
-    number: float | None
+    number: Integer | None
     # Whether its touches may be picked one by one (`cycle.touches`).
     touches: bool
     # Largest number of touches.
-    maxTouches: float
+    maxTouches: Integer
     # Whether it has its own feeds and search length.
     ownFeeds: bool
     # Page of the manual: a path in this repository.
@@ -183,7 +183,7 @@ class Finding(TypedDict):
 
 class Lentoax(TypedDict):
     # 0: `axind` is the full answer; 1: `matrix` must be read; -1: unknown coordinate system; -2: no active tool.
-    status: float
+    status: Integer
     # For abscissa, ordinate and applicate: the number of the length that acts there, negative if it points the other way.
     axind: Vec3
     # Rows abscissa, ordinate, applicate; columns L1, L2, L3.
@@ -211,13 +211,13 @@ class Move(TypedDict):
     # `position`, `touch` or `back`.
     kind: Literal["position", "touch", "back"]
     # Step in the cycle's documented list, from 1; 0 for a link move between two cycles. With native cycles: the line that makes it, counted from that of the first move.
-    step: float
+    step: Integer
     # Index of its touch, for touches and retracts; null for positioning.
-    touch: float | None
+    touch: Integer | None
     # The arc of the move; null is a straight line.
     arc: Arc | None
     # Index of its cycle in a set-up, or of the cycle that a link move leads to; 0 for a job with one cycle.
-    cycle: float
+    cycle: Integer
 
 
 # One row of the parameter table.
@@ -233,9 +233,9 @@ class ParameterRow(TypedDict):
     # Path of the job field that gives the value.
     field: str | None
     # Index of the touch that gives the value; null if it concerns the whole cycle.
-    touch: float | None
+    touch: Integer | None
     # Index of its cycle in a set-up; 0 for a job with one cycle.
-    cycle: float
+    cycle: Integer
 
 
 # The plan of a job. Lengths in the job's units, angles in degrees.
@@ -284,7 +284,7 @@ class PostEntry(TypedDict):
     # The usual file extension, without the dot.
     extension: str
     # Highest number of a work offset that a program can write; 0 if it can write no offset.
-    workOffsets: float
+    workOffsets: Integer
     # Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
     firstLength: bool
     # Whether its program watches positioning moves with the probe.
@@ -310,7 +310,7 @@ class ProgramText(TypedDict):
     # Lines, each ended by a line feed.
     text: str
     # The 0-based line of each move; −1 if the native cycle makes it.
-    moveLines: list[float]
+    moveLines: list[Integer]
     # Values that the program writes, in its own blocks or by the called cycle. For the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. For the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty if it only measures.
     writes: list[Literal["X", "Y", "Z", "rotation", "preset X", "preset Y", "preset Z", "basic rotation", "table offset"]]
     # Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
@@ -334,9 +334,9 @@ class Programmed(TypedDict):
 # Proof of a program of moves: read back, it is the path.
 class ProofRow(TypedDict):
     # Number of moves of the path that the program makes, each with the right position, kind and feed.
-    moves: float
+    moves: Integer
     # Number of touches among them.
-    touches: float
+    touches: Integer
     # Whether the program computes the results, and they are right.
     arithmetic: bool
 
@@ -352,9 +352,9 @@ class RelationEntry(TypedDict):
     # Whether its operands are positions, named by their cycles and relations; else single results.
     places: bool
     # Smallest number of operands.
-    least: float
+    least: Integer
     # Largest number of operands; null is any number.
-    most: float | None
+    most: Integer | None
     # Codes of its results; `.angle` is added to the first if the operands are angles.
     results: list[ResultCode]
 
@@ -369,7 +369,7 @@ class Report(TypedDict):
     control: str
     # Hash of the program's blocks from its header; empty without one.
     program: str
-    parts: float
+    parts: Integer
     # The worst verdict: `good`, `good within ±`, `out within ±`, `not measured`, `out` and others; `null` without any tolerance.
     verdict: str | None
     rows: list[ReportRow]
@@ -425,7 +425,7 @@ class ResultRow(TypedDict):
     # Storage in the control after its native cycles: `#135`. Null for a program of moves, whose header lists it.
     stored: str | None
     # Index of its cycle in a set-up, or, after all cycles, of its relation; 0 for a job with one cycle.
-    cycle: float
+    cycle: Integer
     # Its texts as templates and their values.
     said: ResultWords
 
@@ -461,9 +461,9 @@ class SafetyRow(TypedDict):
     # `message` as a template and its values.
     said: Message
     # The 0-based lines that break it.
-    lines: list[float]
+    lines: list[Integer]
     # The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it.
-    about: list[float]
+    about: list[Integer]
 
 
 # One section of a job.
@@ -479,7 +479,7 @@ class SectionEntry(TypedDict):
 # Statistics of one result over several parts. Lengths in the job's units, angles in degrees.
 class Series(TypedDict):
     # Number of parts with a value.
-    count: float
+    count: Integer
     mean: float
     min: float
     max: float
@@ -514,9 +514,9 @@ class TouchPoint(TypedDict):
     # Target vector: unit outward normal of the surface.
     vector: Vec3
     # Index of the touched surface, from 0.
-    group: float
+    group: Integer
     # Index of its cycle in a set-up; 0 for a job of one cycle.
-    cycle: float
+    cycle: Integer
 
 
 # One move of a program.
@@ -528,7 +528,7 @@ class TraceMove(TypedDict):
     # Feed; null for a rapid, or if no block has stated one.
     feed: float | None
     # The 0-based line of the move.
-    line: float
+    line: Integer
 
 
 # The moves of a program without a job.
@@ -536,7 +536,7 @@ class TraceRow(TypedDict):
     # Control whose language it was read in.
     control: str
     # `mm`, `inch`, or null if the program does not say.
-    units: Literal["mm", "inch", null]
+    units: Literal["mm", "inch", None]
     # Its moves, in its units.
     moves: list[TraceMove]
 
@@ -546,7 +546,11 @@ class WhenEntry(TypedDict):
     # Key of the other field, in the same form.
     key: str
     # The code that it must have.
-    value: float
+    value: Integer
+
+
+# A job of one cycle (format 1), or a set-up of several (format 2).
+AnyJob: TypeAlias = Job
 
 
 # X, Y, Z of the work coordinate system.
@@ -565,6 +569,10 @@ FindingCode: TypeAlias = Literal["align-needs-confirm", "angle-rounded", "approa
 Imported: TypeAlias = dict[str, Any]
 
 
+# A whole number.
+Integer: TypeAlias = int
+
+
 # Verdict of a tolerance or limit on a value.
 Judged: TypeAlias = Literal["good", "rework", "scrap", "undefined", "implausible", "good within ±", "out", "out within ±"]
 
@@ -578,7 +586,7 @@ Message: TypeAlias = list[str | Any]
 
 
 # The value of a parameter.
-ParameterValue: TypeAlias = float | bool | str
+ParameterValue: TypeAlias = Integer | bool | float | str
 
 
 # The id of a control.

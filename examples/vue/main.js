@@ -15,7 +15,7 @@ createApp({
       h(
         "p",
         { role: "status" },
-        `${job.value.name}: diameter ${job.value.cycle.diameter}, ${lines.value} lines`,
+        `${job.value.name}: diameter ${job.value.cycle.diameter}, ${lines.value ?? "no"} lines`,
       ),
       h(
         "button",
@@ -34,8 +34,9 @@ createApp({
         ".job": JSON.parse(JSON.stringify(job.value)),
         theme: "light",
         onJobChange: (event) => (job.value = event.detail.job),
-        onPlanChange: (event) =>
-          (lines.value = event.detail.plan.program.text.split("\n").length - 1),
+        // No plan while the job has errors: then there is no program either.
+        onPlanChange: ({ detail: { plan } }) =>
+          (lines.value = plan && plan.program.text.split("\n").length - 1),
       }),
     ];
   },

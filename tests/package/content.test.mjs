@@ -110,6 +110,8 @@ test("the package had no licence text", () => {
     "dist/custom-elements.json",
     "dist/embed.css",
     "dist/embed.html",
+    "dist/events.d.ts",
+    "dist/events.js",
     "dist/answers.schema.json",
     "dist/config.schema.json",
     "dist/frame.schema.json",

@@ -197,7 +197,8 @@ test("a control and units that the page asks for were lost with the first job th
   );
   const sizes = await page.evaluate(() =>
     [...document.querySelectorAll("touch-path")].map(
-      ({ job }) => job?.cycle.type === "hole" && job.cycle.diameter,
+      ({ job }) =>
+        job?.format === 1 && job.cycle.type === "hole" && job.cycle.diameter,
     ),
   );
   // Earlier requests determine the units in which the job is read; set after it, units convert.

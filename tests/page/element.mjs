@@ -52,7 +52,7 @@ export function setUp() {
   });
   afterEach(async () => {
     // No state is kept for the next test.
-    if (page?.url().startsWith("http"))
+    if (page && !page.isClosed() && page.url().startsWith("http"))
       await page.evaluate(() => {
         for (const storage of [localStorage, sessionStorage]) storage.clear();
         Storage.prototype.setItem = () => {};

@@ -111,6 +111,7 @@ const connect = (options = {}) =>
         all.frame = frame;
         all.told = [];
         for (const type of [
+          "change",
           "job-change",
           "plan-change",
           "selection-change",
@@ -177,6 +178,11 @@ test("a portal sets the job, reads it, receives its events and saves the program
     (/** @type {any} */ one) => one.type === "job-change",
   );
   assert.equal(change.detail.job.cycle.diameter, 29);
+  const whole = after.find((/** @type {any} */ one) => one.type === "change");
+  assert.deepEqual(
+    [whole.detail.reason, whole.detail.plan.program.text],
+    ["edit", plan(change.detail.job).program.text],
+  );
   const saved = after.find(
     (/** @type {any} */ one) => one.type === "program-save",
   ).detail;
@@ -184,6 +190,27 @@ test("a portal sets the job, reads it, receives its events and saves the program
     [saved.name, saved.post, saved.text],
     ["FROM_PORTAL.nc", "fanuc", plan(change.detail.job).program.text],
   );
+});
+
+test("a frame tells that there is no program any more, and leaves undo to its portal", async () => {
+  await open();
+  await connect();
+  await on(
+    `frame.set({ job: { format: 1, cycle: { type: "hole", diameter: 44 } }, history: "none" })`,
+  );
+  await told("change");
+  await page
+    .frameLocator("iframe")
+    .locator("[id='f-cycle.diameter']")
+    .fill("2");
+  const all = await told("change", "plan-change");
+  for (const one of all) isSpoken("answer", one);
+  const last = all.findLast((/** @type {any} */ one) => one.type === "change");
+  assert.equal(last.detail.plan, null);
+  assert.equal(last.detail.job.cycle.diameter, 2);
+  const state = /** @type {any} */ (await on("frame.get()"));
+  isSpoken("answer", { type: "state", id: 1, state });
+  assert.deepEqual([state.canUndo, state.canRedo], [false, false]);
 });
 
 test("a control that the portal had set was lost with the next job that names none", async () => {

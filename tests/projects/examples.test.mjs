@@ -109,13 +109,17 @@ test("the element was unknown in React's TSX: the example compiles, and a proper
   writeFileSync(join(own, "dom.d.ts"), 'declare module "react-dom/client";\n');
   writeFileSync(
     join(own, "wrong.tsx"),
-    `import type {} from "touchpath/react";
+    `import { TouchForm, TouchPath } from "touchpath/react";
 // @ts-expect-error there is no such theme
 export const theme = <touch-path theme="drak" />;
 // @ts-expect-error there is no such control
 export const post = <touch-path post="mazatrol" />;
 // @ts-expect-error a plan has no such section
-export const plan = <touch-path onplan-change={(event) => event.detail.plan.nothing} />;
+export const plan = <touch-path onplan-change={(event) => event.detail.plan?.nothing} />;
+export const all = <TouchPath onChange={({ detail }) => detail.plan?.moves} onLoad={() => {}} onError={(event) => event.error} style={{ height: 640 }} />;
+export const form = <TouchForm for="job" className="wide" />;
+// @ts-expect-error there is no plan while the job has errors
+export const lines = <TouchPath onPlanChange={({ detail }) => detail.plan.moves} />;
 `,
   );
   const options = [
@@ -175,6 +179,26 @@ console.log(JSON.stringify([first, await ask(job, { "if-none-match": first[2] })
   );
   assert.match(answers[0][2], /^"[0-9a-f]{64}"$/);
   assert.equal(JSON.parse(answers[3][1]).findings[0].path, "cycle.diameter");
+});
+
+const python =
+  spawnSync("python3", [
+    "-c",
+    "import sys; sys.exit(sys.version_info < (3, 11))",
+  ]).status === 0;
+test("Python: every name in the types of the answers is defined, and indices are whole numbers", {
+  skip: python ? false : "Python 3.11 is missing",
+}, () => {
+  const { stdout, stderr } = spawnSync(
+    "python3",
+    [
+      "-B",
+      "-c",
+      "import typing, touchpath_types as t; [typing.get_type_hints(c) for c in vars(t).values() if typing.is_typeddict(c)]; print(typing.get_type_hints(t.ProgramText)['moveLines'], typing.get_type_hints(t.Move)['touch'])",
+    ],
+    { cwd: at("examples", "python"), encoding: "utf8" },
+  );
+  assert.equal(stdout.trim(), "list[int] int | None", stderr);
 });
 
 const duckdb = spawnSync("python3", ["-c", "import duckdb"]).status === 0;

@@ -114,14 +114,18 @@ test("React: what a server rendered is hydrated with its job and its listeners",
   writeFileSync(
     join(own, "probe.js"),
     `import { createElement as h, useState } from "react";
-import { TouchPath } from "touchpath/react";
+import { TouchForm, TouchPath } from "touchpath/react";
 export function Probe() {
   const [job, setJob] = useState({ format: 1, name: "HYDRATED", cycle: { type: "hole", diameter: 30 } });
   const [readonly, lock] = useState(false);
+  const [told, tell] = useState("");
   return h("div", null,
-    h("p", { role: "status" }, job.name + " " + job.cycle.diameter),
+    h("p", { role: "status" }, job.name + " " + job.cycle.diameter + told),
     h("button", { onClick: () => lock(!readonly) }, "Lock"),
-    h(TouchPath, { job, readonly, theme: "light", className: "tall", "onjob-change": (event) => setJob(event.detail.job) }));
+    h(TouchPath, { job, readonly, theme: "light", className: "tall", id: "probing", "onjob-change": (event) => setJob(event.detail.job),
+      onLoad: () => tell(" loaded"),
+      onChange: ({ detail }) => tell(detail.plan ? " with a program" : " without a program") }),
+    h(TouchForm, { for: "probing", className: "apart" }));
 }
 `,
   );
@@ -130,7 +134,10 @@ export function Probe() {
     'import { createElement } from "react";\nimport { renderToString } from "react-dom/server";\nimport { Probe } from "./probe.js";\nprocess.stdout.write(renderToString(createElement(Probe)));\n',
   );
   const markup = ran("server.js", own);
-  assert.match(markup, /<touch-path class="tall"><\/touch-path>/);
+  assert.match(
+    markup,
+    /<touch-path class="tall" id="probing"><\/touch-path><touch-form for="probing" class="apart"><\/touch-form>/,
+  );
   writeFileSync(
     join(own, "main.js"),
     'import { createElement } from "react";\nimport { hydrateRoot } from "react-dom/client";\nimport { Probe } from "./probe.js";\nhydrateRoot(document.getElementById("root"), createElement(Probe), { onRecoverableError: (why) => { throw why; } });\n',
@@ -147,7 +154,7 @@ export function Probe() {
     build: { target: "es2022" },
   });
   const { page, problems } = await open(join(own, "dist"));
-  const box = page.locator("[id='f-cycle.diameter']");
+  const box = page.locator("touch-path [id='f-cycle.diameter']");
   await box.waitFor();
   assert.equal(
     await box.inputValue(),
@@ -155,7 +162,9 @@ export function Probe() {
     "the job of the component, not the default one",
   );
   await box.fill("33");
-  await page.getByText("HYDRATED 33").waitFor();
+  await page.getByText("HYDRATED 33 with a program").waitFor();
+  await page.locator("touch-form [id='f-cycle.diameter']").fill("2");
+  await page.getByText("HYDRATED 2 without a program").waitFor();
   await page.getByRole("button", { name: "Lock" }).click();
   await page.waitForFunction(
     () =>

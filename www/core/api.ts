@@ -11,6 +11,7 @@ import {
 } from "./plan.js";
 import { say } from "./said.js";
 import type {
+  AnyJob,
   Catalog,
   Config,
   Cycle,
@@ -31,7 +32,6 @@ import type {
   ProgramRun,
   ProgramText,
   ResultRow,
-  SetUp,
 } from "./types.js";
 import type { Packed } from "./unpacked.js";
 
@@ -97,7 +97,7 @@ export function check(job: unknown, config?: Config): Finding[] {
 }
 
 /** The whole plan; with a config, that of the job that `configured` returns. Throws `JobError` if any finding is an error. */
-export function plan(job: Job | SetUp, config?: Config): Plan {
+export function plan(job: AnyJob, config?: Config): Plan {
   const { own, packed, said } = under(job, config);
   const plan = planOf(packed, () => tableOf(handed(own, raw.table)));
   if (said.length > 0) plan.findings = [...plan.findings, ...said];
@@ -105,7 +105,7 @@ export function plan(job: Job | SetUp, config?: Config): Plan {
 }
 
 /** The program alone, identical to that of the plan. Throws `JobError` in the same cases as `plan`. */
-export function program(job: Job | SetUp, config?: Config): ProgramText {
+export function program(job: AnyJob, config?: Config): ProgramText {
   return programOf(under(job, config).packed);
 }
 
@@ -114,7 +114,7 @@ export function program(job: Job | SetUp, config?: Config): ProgramText {
  * and its findings give the reasons.
  */
 export function* programs(
-  jobs: Iterable<Job | SetUp>,
+  jobs: Iterable<AnyJob>,
   config?: Config,
 ): IterableIterator<Programmed> {
   for (const job of jobs) {
@@ -226,7 +226,7 @@ function under(
 }
 
 /** Results from real measurements: the `results` of `measure`. Throws `JobError`. */
-export function evaluate(job: Job | SetUp, measured: Measured): ResultRow[] {
+export function evaluate(job: AnyJob, measured: Measured): ResultRow[] {
   return measure(job, measured).results;
 }
 
@@ -235,7 +235,7 @@ export function evaluate(job: Job | SetUp, measured: Measured): ResultRow[] {
  * offset. Reads print-outs of machines: points, results (`center.x=1.2345`), and sender logs with grbl's `[PRB:…]`. Throws `JobError`; its findings list line
  * by line what is missing or ambiguous.
  */
-export function measure(job: Job | SetUp, measured: Measured): Measurement {
+export function measure(job: AnyJob, measured: Measured): Measurement {
   const values = coded(measured);
   return on(job, (codes, text) =>
     raw.measure(codes, text, values.codes, values.text),
@@ -243,7 +243,7 @@ export function measure(job: Job | SetUp, measured: Measured): Measurement {
 }
 
 /** The moves of the plan as typed arrays. Throws `JobError`. */
-export function moveColumns(job: Job | SetUp): MoveColumns {
+export function moveColumns(job: AnyJob): MoveColumns {
   const own = coded(job);
   // The columns of the last plan need no second plan.
   const { to, feed, kind, step, touch, cycle, arcs } = columns(
@@ -276,7 +276,7 @@ export function importJob(text: string): Imported {
   );
   // A job as JSON is returned with all its content. The module then returns no job.
   return imported.kind === "job"
-    ? { ...imported, job: imported.job ?? (json as Job) }
+    ? { ...imported, job: imported.job ?? (json as AnyJob) }
     : imported;
 }
 
@@ -338,20 +338,20 @@ export function jobSchema(): Record<string, unknown> {
  * 1411 it reads the program, not the Q table. Throws `JobError`.
  */
 export function exportTable(
-  job: Job | SetUp,
+  job: AnyJob,
   format: "csv" | "json" | "text",
 ): string {
   return on(job, (codes, text) => raw.exportTable(codes, text, format));
 }
 
 /** Meanings of the rows of the plan's table, in their order, for `say`; empty for a job with errors. */
-export function meanings(job: Job | SetUp): Message[] {
+export function meanings(job: AnyJob): Message[] {
   return meaningsOf(handed(coded(job), raw.meanings));
 }
 
 /** The picture of a job as SVG text: path, touches and, where the view shows true size, dimensions and angles. Throws `JobError`. */
 export function svg(
-  job: Job | SetUp,
+  job: AnyJob,
   view: "top" | "front" | "side" | "isometric" = "isometric",
 ): string {
   return on(job, (codes, text) => raw.svg(codes, text, view));
@@ -361,7 +361,9 @@ export function svg(
  * The job in other units. Every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). Values keep 4
  * decimals in mm and 6 in inch, below 0.001 three more. Other values stay as they are; a value without JSON becomes null.
  */
-export function convertUnits(job: unknown, units: "mm" | "inch"): Job {
+export function convertUnits<T extends AnyJob>(job: T, units: "mm" | "inch"): T;
+export function convertUnits(job: unknown, units: "mm" | "inch"): AnyJob;
+export function convertUnits(job: unknown, units: "mm" | "inch"): AnyJob {
   return on(job, (codes, text) => raw.convertUnits(codes, text, units));
 }
 

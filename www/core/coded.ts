@@ -28,9 +28,13 @@ export interface Coded {
   text: string;
 }
 
+const TOO_LARGE = [TOO_LONG, TOO_MANY, TOO_MANY_KEYS, TOO_MUCH_TEXT];
+
 class Coder {
   readonly codes: number[] = [];
   text = "";
+  /** Whether a part of the value was left out because of its size. */
+  cut = false;
   private values = MOST_VALUES;
 
   walk(value: unknown, depth: number): void {
@@ -144,6 +148,7 @@ class Coder {
   }
 
   private other(what: number): void {
+    this.cut ||= TOO_LARGE.includes(what);
     this.codes.push(OTHER, what);
   }
 }
@@ -155,6 +160,13 @@ export function same(a: Coded, b: Coded): boolean {
     a.codes.length === b.codes.length &&
     a.codes.every((code, i) => Object.is(code, b.codes[i]))
   );
+}
+
+/** Whether a value is too large for a job. Takes about as long as for the largest job, whatever the value. */
+export function isTooLarge(value: unknown): boolean {
+  const coder = new Coder();
+  coder.walk(value, 0);
+  return coder.cut;
 }
 
 /** Codes a value. Throws only if the caller's stack is exhausted. */

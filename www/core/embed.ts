@@ -1,4 +1,5 @@
 // Script of embed.html, inside the frame. It accepts messages only from the origins on its own list.
+import { EVENTS } from "./events.js";
 import {
   type Answer,
   type Deed,
@@ -18,6 +19,8 @@ interface Element extends HTMLElement {
   readonly findings: Finding[];
   readonly measured: string;
   readonly validationMessage: string;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
   picture(): string | null;
   save(): boolean;
   undo(): boolean;
@@ -28,7 +31,7 @@ interface Element extends HTMLElement {
   take(inputs: Record<string, unknown>): void;
 }
 
-const WORDS = ["theme", "lang", "panels", "mode", "view"] as const;
+const WORDS = ["theme", "lang", "panels", "mode", "view", "history"] as const;
 const KEYS = [
   "config",
   "job",
@@ -48,15 +51,6 @@ const TOKENS: readonly Token[] = [
   "on-accent",
   "font",
 ];
-const EVENTS = [
-  "job-change",
-  "plan-change",
-  "selection-change",
-  "measured-change",
-  "program-save",
-  "finding",
-] as const;
-
 const element = document.querySelector("touch-path") as Element;
 /** Origins that may connect to this frame, separated by blanks. */
 const allowed = (
@@ -139,11 +133,11 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
   if (!isObject(data) || id === null)
     error("A message has a type and an id, a whole number");
   else if (data.type === "get") {
-    const { job, plan, findings, measured } = element;
+    const { job, plan, findings, measured, canUndo, canRedo } = element;
     say({
       type: "state",
       id,
-      state: { job, plan, findings, measured },
+      state: { job, plan, findings, measured, canUndo, canRedo },
     } as Answer);
   } else if (data.type === "picture")
     say({ type: "picture", id, picture: element.picture() });

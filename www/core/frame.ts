@@ -1,4 +1,5 @@
 // A portal's access to a frame with embed.html: functions instead of messages.
+import type { TouchPathEvents } from "./events.js";
 import {
   type Answer,
   type FrameState,
@@ -7,8 +8,14 @@ import {
   PROTOCOL,
   type Request,
 } from "./protocol.js";
-import type { Finding, Job, Plan } from "./types.js";
+import type { Finding } from "./types.js";
 
+export type {
+  ChangeReason,
+  EventDetails,
+  Selection,
+  TouchPathEvents,
+} from "./events.js";
 export type * from "./protocol.js";
 export { PROTOCOL } from "./protocol.js";
 
@@ -36,24 +43,8 @@ export interface ConnectOptions {
   patience?: number;
 }
 
-/** The events of a frame, by name. */
-export interface FrameEvents {
-  "job-change": CustomEvent<{ job: Job }>;
-  "plan-change": CustomEvent<{ plan: Plan }>;
-  "selection-change": CustomEvent<{
-    move: number | null;
-    line: number | null;
-    touch: number | null;
-    field: string | null;
-  }>;
-  "measured-change": CustomEvent<{ measured: string }>;
-  "program-save": CustomEvent<{
-    name: string;
-    text: string;
-    post: string;
-    extension: string;
-  }>;
-  finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
+/** The events of a frame, by name: those of the element, and `load`. */
+export interface FrameEvents extends TouchPathEvents {
   /** The frame was reloaded and its state restored; `refused` gives the reason if part of the state could not be set again. */
   load: CustomEvent<{ refused: string | null }>;
 }
@@ -63,10 +54,7 @@ interface Waiting {
   fail(why: FrameError): void;
 }
 
-/**
- * A connected frame. Its events are those of `<touch-path>` (`job-change`, `plan-change`, `selection-change`, `measured-change`, `program-save`, `finding`) and
- * `load` after the frame was reloaded.
- */
+/** A connected frame. Its events are those of `<touch-path>`, `change` among them, and `load` after the frame was reloaded. */
 export class Frame extends EventTarget {
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;

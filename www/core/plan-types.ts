@@ -3,6 +3,9 @@
 import type { Cycle, PostId, Relation, Vec3 } from "./job-types.js";
 import type { Message } from "./said.js";
 
+/** A whole number. @asType integer */
+export type Integer = number;
+
 /** Every code of a finding; docs/findings.md says what each means. */
 export type FindingCode =
   | "align-needs-confirm"
@@ -372,9 +375,9 @@ export interface TouchPoint {
   /** Target vector: unit outward normal of the surface. */
   vector: Vec3;
   /** Index of the touched surface, from 0. */
-  group: number;
+  group: Integer;
   /** Index of its cycle in a set-up; 0 for a job of one cycle. */
-  cycle: number;
+  cycle: Integer;
 }
 
 /** An arc about the tool axis. */
@@ -394,17 +397,17 @@ export interface Move {
   /** `position`, `touch` or `back`. */
   kind: "position" | "touch" | "back";
   /** Step in the cycle's documented list, from 1; 0 for a link move between two cycles. With native cycles: the line that makes it, counted from that of the first move. */
-  step: number;
+  step: Integer;
   /** Index of its touch, for touches and retracts; null for positioning. */
-  touch: number | null;
+  touch: Integer | null;
   /** The arc of the move; null is a straight line. */
   arc: Arc | null;
   /** Index of its cycle in a set-up, or of the cycle that a link move leads to; 0 for a job with one cycle. */
-  cycle: number;
+  cycle: Integer;
 }
 
 /** The value of a parameter. */
-export type ParameterValue = number | boolean | string;
+export type ParameterValue = Integer | boolean | number | string;
 
 /** One row of the parameter table. */
 export interface ParameterRow {
@@ -419,9 +422,9 @@ export interface ParameterRow {
   /** Path of the job field that gives the value. */
   field: string | null;
   /** Index of the touch that gives the value; null if it concerns the whole cycle. */
-  touch: number | null;
+  touch: Integer | null;
   /** Index of its cycle in a set-up; 0 for a job with one cycle. */
-  cycle: number;
+  cycle: Integer;
 }
 
 /** A measured value: computed by the control, with its nominal value. */
@@ -453,7 +456,7 @@ export interface ResultRow {
   /** Storage in the control after its native cycles: `#135`. Null for a program of moves, whose header lists it. */
   stored: string | null;
   /** Index of its cycle in a set-up, or, after all cycles, of its relation; 0 for a job with one cycle. */
-  cycle: number;
+  cycle: Integer;
   /** Its texts as templates and their values. */
   said: ResultWords;
 }
@@ -471,9 +474,9 @@ export interface ResultWords {
 /** Proof of a program of moves: read back, it is the path. */
 export interface ProofRow {
   /** Number of moves of the path that the program makes, each with the right position, kind and feed. */
-  moves: number;
+  moves: Integer;
   /** Number of touches among them. */
-  touches: number;
+  touches: Integer;
   /** Whether the program computes the results, and they are right. */
   arithmetic: boolean;
 }
@@ -489,9 +492,9 @@ export interface SafetyRow {
   /** `message` as a template and its values. */
   said: Message;
   /** The 0-based lines that break it. */
-  lines: number[];
+  lines: Integer[];
   /** The 0-based lines that the rule concerns, whether they keep or break it; those of the native cycle if that is responsible for it. */
-  about: number[];
+  about: Integer[];
 }
 
 /** The program as text. */
@@ -503,7 +506,7 @@ export interface ProgramText {
   /** Lines, each ended by a line feed. */
   text: string;
   /** The 0-based line of each move; −1 if the native cycle makes it. */
-  moveLines: number[];
+  moveLines: Integer[];
   /** Values that the program writes, in its own blocks or by the called cycle. For the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. For the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty if it only measures. */
   writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
   /** Summary of its writes to offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
@@ -580,7 +583,7 @@ export interface TraceMove {
   /** Feed; null for a rapid, or if no block has stated one. */
   feed: number | null;
   /** The 0-based line of the move. */
-  line: number;
+  line: Integer;
 }
 
 /** The moves of a program without a job. */
@@ -609,7 +612,7 @@ export interface WhenEntry {
   /** Key of the other field, in the same form. */
   key: string;
   /** The code that it must have. */
-  value: number;
+  value: Integer;
 }
 
 /** One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the units of the job. */
@@ -671,11 +674,11 @@ export interface CycleEntry {
   /** Source and number: `ENCY/SprutCAM type 5`. */
   source: string;
   /** Type number in the source's parameter table, if it has one. */
-  number: number | null;
+  number: Integer | null;
   /** Whether its touches may be picked one by one (`cycle.touches`). */
   touches: boolean;
   /** Largest number of touches. */
-  maxTouches: number;
+  maxTouches: Integer;
   /** Whether it has its own feeds and search length. */
   ownFeeds: boolean;
   /** Page of the manual: a path in this repository. */
@@ -709,9 +712,9 @@ export interface RelationEntry {
   /** Whether its operands are positions, named by their cycles and relations; else single results. */
   places: boolean;
   /** Smallest number of operands. */
-  least: number;
+  least: Integer;
   /** Largest number of operands; null is any number. */
-  most: number | null;
+  most: Integer | null;
   /** Codes of its results; `.angle` is added to the first if the operands are angles. */
   results: ResultCode[];
 }
@@ -739,7 +742,7 @@ export interface PostEntry {
   /** The usual file extension, without the dot. */
   extension: string;
   /** Highest number of a work offset that a program can write; 0 if it can write no offset. */
-  workOffsets: number;
+  workOffsets: Integer;
   /** Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis. */
   firstLength: boolean;
   /** Whether its program watches positioning moves with the probe. */
@@ -771,9 +774,9 @@ export interface CodeGroup {
   /** Heading of the group. */
   title: string;
   /** The lowest code, included. */
-  lowest: number;
+  lowest: Integer;
   /** The highest code, included. */
-  highest: number;
+  highest: Integer;
 }
 
 /** Cycles, controls and the sections around them. */
@@ -797,9 +800,9 @@ export interface Catalog {
   /** Assumed rate of rapids in `plan().time`, mm/min, if the program states no rate. */
   rapidRate: number;
   /** Largest number of touches that a parameter table of CmdPrm codes holds. Each cycle has its own number in its entry. */
-  maxTouches: number;
+  maxTouches: Integer;
   /** Length of the longest text that can become a job, in UTF-16 units (characters as JavaScript counts them). */
-  longestText: number;
+  longestText: Integer;
   /** Length of the longest program whose moves are read, in the same units. */
-  longestProgram: number;
+  longestProgram: Integer;
 }

@@ -2,7 +2,8 @@
  * Messages between a portal and a frame with `embed.html`. The portal sends one `hello` with a port to the frame's window; everything else passes through that
  * port. Later versions keep these messages.
  */
-import type { Config, Cycle, Finding, Job, Plan } from "./types.js";
+import type { EventDetails } from "./events.js";
+import type { AnyJob, Config, Cycle, Finding, Plan } from "./types.js";
 
 /** Version of the protocol. */
 export const PROTOCOL = 1;
@@ -11,7 +12,7 @@ export const PROTOCOL = 1;
 export interface FrameState {
   /** Rules of the portal: allowed choices, and fields that are fixed, hidden or filled in. */
   config?: Config | string;
-  job?: Job | string;
+  job?: AnyJob | string;
   cycle?: Cycle["type"];
   post?: string;
   units?: "mm" | "inch";
@@ -24,6 +25,8 @@ export interface FrameState {
   mode?: "setter" | "cam";
   /** The view of the picture. */
   view?: "top" | "front" | "side" | "isometric";
+  /** `none` leaves undo to the portal. */
+  history?: "session" | "none";
   /** Measured points, results or a log, as text. */
   measured?: string;
   /** Colours and font: values of the element's custom properties, which are not inherited into a frame. */
@@ -42,12 +45,15 @@ export type Token =
 /** Content of the frame. */
 export interface FrameView {
   /** The job in the form, including its errors. */
-  job: Job;
+  job: AnyJob;
   /** Its plan; `null` if the job has errors. */
   plan: Plan | null;
   findings: Finding[];
   /** The measured points, as entered. */
   measured: string;
+  /** Whether there is a step to undo, or to redo. */
+  canUndo: boolean;
+  canRedo: boolean;
 }
 
 /** An action that a portal can ask for. */
@@ -87,20 +93,6 @@ export type Answer =
   | { type: "state"; id: number; state: FrameView }
   | { type: "picture"; id: number; picture: string | null }
   | { type: "error"; id: number | null; message: string; findings: Finding[] }
-  | { type: "job-change"; detail: { job: Job } }
-  | { type: "plan-change"; detail: { plan: Plan } }
   | {
-      type: "selection-change";
-      detail: {
-        move: number | null;
-        line: number | null;
-        touch: number | null;
-        field: string | null;
-      };
-    }
-  | { type: "measured-change"; detail: { measured: string } }
-  | {
-      type: "program-save";
-      detail: { name: string; text: string; post: string; extension: string };
-    }
-  | { type: "finding"; detail: { findings: Finding[]; refused: boolean } };
+      [K in keyof EventDetails]: { type: K; detail: EventDetails[K] };
+    }[keyof EventDetails];

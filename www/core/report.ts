@@ -1,6 +1,6 @@
 // Inspection report of one part or a series, against nominal values and tolerances. Pure functions: the report as data, as CSV and as a page to print.
 
-import type { Plan, ResultRow } from "./plan-types.js";
+import type { Integer, Plan, ResultRow } from "./plan-types.js";
 import { codeOf, isBad, isWritten } from "./results.js";
 
 /** Header data of a report. */
@@ -21,7 +21,7 @@ export interface ReportOf {
 /** Statistics of one result over several parts. Lengths in the job's units, angles in degrees. */
 export interface Series {
   /** Number of parts with a value. */
-  count: number;
+  count: Integer;
   mean: number;
   min: number;
   max: number;
@@ -66,7 +66,7 @@ export interface Report {
   control: string;
   /** Hash of the program's blocks from its header; empty without one. */
   program: string;
-  parts: number;
+  parts: Integer;
   /** The worst verdict: `good`, `good within ±`, `out within ±`, `not measured`, `out` and others; `null` without any tolerance. */
   verdict: string | null;
   rows: ReportRow[];

@@ -1,7 +1,7 @@
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 
 import type { FrameStep, Job, SetUp, Vec3 } from "./job-types.js";
-import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
+import type { Finding, Integer, ProgramText, TraceRow } from "./plan-types.js";
 import type { PROGRAM_POSTS } from "./program-posts.js";
 
 export type * from "./config-types.js";
@@ -11,6 +11,10 @@ export type * from "./plan-types.js";
 import type { Message } from "./said.js";
 
 export type { Message, Words } from "./said.js";
+
+/** A job of one cycle (format 1), or a set-up of several (format 2). */
+export type AnyJob = Job | SetUp;
+
 /** Former name of {@link Message}. @deprecated Use `Message`. */
 export type Said = Message;
 
@@ -103,9 +107,9 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   /** Lasting changes by the program, in order. */
   writes: ProgramWrite[];
   /** Notes about ignored lines and unknown values, each with its 0-based lines. */
-  findings: (Finding & { lines: number[] })[];
+  findings: (Finding & { lines: Integer[] })[];
   /** Variables that the program reads before anything sets them, with the lines that read them. Pass their values in `set`. */
-  asks: { name: string; lines: number[] }[];
+  asks: { name: string; lines: Integer[] }[];
   /** Calls of native cycles, in the order in which they run. */
   calls: NativeCall[];
   /** Results of the safety rules for a program that probes; `holds` is `null` if an unknown value decides. `lines` (0-based) break the rule or are unknown. */
@@ -114,17 +118,17 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
     holds: boolean | null;
     message: string;
     said: Message;
-    lines: number[];
+    lines: Integer[];
   }[];
   /** Lines that name the section below them, 0-based: programs, subroutines, labels. */
-  outline: { line: number; name: string }[];
+  outline: { line: Integer; name: string }[];
 }
 
 /** A lasting change by a program: of a work offset, the G92 shift or the tool table. */
 export interface ProgramWrite {
   /** 0-based line in its own text: `file` 0 is the program, others are `files` in order, from 1. */
-  line: number;
-  file: number;
+  line: Integer;
+  file: Integer;
   kind: "offset" | "shift" | "length" | "radius" | "wear" | "table";
   /** Target of the write in the control's words: `G54`, `G92`, `tool 5`, `#2605`. */
   register: string;
@@ -139,8 +143,8 @@ export interface ProgramWrite {
 /** A call of a native cycle. */
 export interface NativeCall {
   /** 0-based line in its own text: `file` 0 is the program, others are `files` in order, from 1. */
-  line: number;
-  file: number;
+  line: Integer;
+  file: Integer;
   /** Name as in programs: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`. */
   name: string;
   /** What it measures or does, with the mark and the source of this knowledge; `null` for an unknown call. */
@@ -172,7 +176,7 @@ export interface Programmed {
 
 /** Content of a text: a job, or the moves of a program without a job. `findings` lists ignored lines and unknown values. */
 export type Imported =
-  | { kind: "job"; job: Job | SetUp; findings: Finding[] }
+  | { kind: "job"; job: AnyJob; findings: Finding[] }
   | { kind: "moves"; job: null; trace: TraceRow; findings: Finding[] };
 
 /** Query for LENTOAX; omitted values are the standard case. */
@@ -192,7 +196,7 @@ export interface LentoaxQuery {
 
 export interface Lentoax {
   /** 0: `axind` is the full answer; 1: `matrix` must be read; -1: unknown coordinate system; -2: no active tool. */
-  status: number;
+  status: Integer;
   /** For abscissa, ordinate and applicate: the number of the length that acts there, negative if it points the other way. */
   axind: Vec3;
   /** Rows abscissa, ordinate, applicate; columns L1, L2, L3. */

@@ -17,6 +17,8 @@ export const PANEL_NAMES: PanelName[] = [
 export const INPUTS = ["config", "job", "cycle", "post", "units"] as const;
 /** Properties that are inputs. */
 export type Input = (typeof INPUTS)[number] | "measured";
+/** Text of an object that a server has written into an attribute. The property with the object follows. */
+export const OBJECT_AS_TEXT = "[object Object]";
 /** Inputs that are set together: the others complete values that the job omits. */
 export type Inputs = Partial<Record<Input, unknown>>;
 
@@ -27,6 +29,7 @@ export const WORDS = {
   mode: ["setter", "cam"],
   view: ["top", "front", "side", "isometric"],
   storage: ["none", "local"],
+  history: ["session", "none"],
 } as const;
 export type Wordy = keyof typeof WORDS;
 export const isWordy = (name: string): name is Wordy =>

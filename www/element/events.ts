@@ -1,40 +1,58 @@
 // Events of the element, and its value in a form.
-import type { Finding, Job, Plan } from "../core/types.js";
+import type {
+  ChangeReason,
+  Selection,
+  TouchPathEvents,
+} from "../core/events.js";
+import type { AnyJob, Finding, Plan } from "../core/types.js";
 import type { App } from "../parts/app.js";
 import type { Store } from "../store.js";
 
-/** Details of the element's events, by event name. */
-export interface TouchPathEvents {
-  "job-change": CustomEvent<{ job: Job }>;
-  "plan-change": CustomEvent<{ plan: Plan }>;
-  "program-save": CustomEvent<{
-    name: string;
-    text: string;
-    post: string;
-    extension: string;
-  }>;
-  "selection-change": CustomEvent<Selection>;
-  "measured-change": CustomEvent<{ measured: string }>;
-  finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
+/** State that the events tell: the job and its findings as JSON, and its plan. */
+interface Told {
+  job: string;
+  plan: Plan | null;
+  findings: string;
 }
 
-/** The user's selection: a move, its program line and its touch, all counted from 0, and the path of the focused field. `null` without a selection. */
-export interface Selection {
-  move: number | null;
-  line: number | null;
-  touch: number | null;
-  field: string | null;
+/** Copies of the state, shared by the events of one change. Each is made on first access: listeners that do not read it cost nothing. */
+class Copies {
+  private readonly made: {
+    job?: AnyJob;
+    plan?: Plan | null;
+    findings?: Finding[];
+  } = {};
+
+  constructor(private readonly told: Told) {}
+
+  get job(): AnyJob {
+    this.made.job ??= JSON.parse(this.told.job) as AnyJob;
+    return this.made.job;
+  }
+
+  get plan(): Plan | null {
+    this.made.plan ??= structuredClone(this.told.plan);
+    return this.made.plan;
+  }
+
+  get findings(): Finding[] {
+    this.made.findings ??= JSON.parse(this.told.findings) as Finding[];
+    return this.made.findings;
+  }
 }
 
-/** A plan for an event. It is copied on first access, so listeners that do not read it cost nothing. */
-function copyOf(own: Plan): { plan: Plan } {
-  let copy: Plan | null = null;
-  return {
-    get plan() {
-      copy ??= structuredClone(own);
-      return copy;
-    },
-  };
+/** The detail of an event with some of the copies, as own properties: they survive a structured clone. */
+function detailOf<K extends "job" | "plan" | "findings", T extends object>(
+  copies: Copies,
+  keys: readonly K[],
+  rest: T,
+): Pick<Copies, K> & T {
+  for (const key of keys)
+    Object.defineProperty(rest, key, {
+      get: () => copies[key],
+      enumerable: true,
+    });
+  return rest as Pick<Copies, K> & T;
 }
 
 /** The element that dispatches the events. @internal */
@@ -51,17 +69,7 @@ export function followJob(
   inside: ElementInternals,
   { store, app }: { store: Store; app: App },
 ): void {
-  let job = "";
-  let findings = "";
-  let plan: Plan | null = null;
   let measured = store.measured;
-  /** Whether a user's change still waits for its `change` event. */
-  let commit = false;
-  const committed = () => {
-    if (!commit || !store.userChange) return;
-    commit = false;
-    element.dispatchEvent(new Event("change", { bubbles: true }));
-  };
   let selection = JSON.stringify({
     move: null,
     line: null,
@@ -84,15 +92,24 @@ export function followJob(
     selection = JSON.stringify(now);
     element.tell("selection-change", now);
   };
-  const changed = (byUser: boolean) => {
-    const { stale } = store;
-    if (store.measured !== measured) {
-      measured = store.measured;
-      if (byUser) element.tell("measured-change", { measured });
-    }
-    const before = job;
-    job = JSON.stringify(store.job);
-    inside.setFormValue(job);
+  let state: Told & { revision: number; copies: Copies };
+  /** The present state. A listener may have changed it since the last event. */
+  const now = () => {
+    if (state?.revision === store.revision) return state;
+    const told: Told = {
+      job: JSON.stringify(store.job),
+      plan: store.stale ? null : store.plan,
+      findings: JSON.stringify(store.findings),
+    };
+    state = { ...told, revision: store.revision, copies: new Copies(told) };
+    return state;
+  };
+  /** Last told state by each event, and by `change`. */
+  const told: Told = { job: "", plan: null, findings: "" };
+  let whole: Told = { ...told };
+  /** Sets the value in a form, and the reason why it must not be submitted. */
+  const submits = () => {
+    inside.setFormValue(now().job);
     // The browser shows a message at an element that can have the focus.
     const anchor = app.querySelector<HTMLElement>(
       "tp-bar select:enabled, canvas[tabindex]",
@@ -104,31 +121,46 @@ export function followJob(
         store.withheld,
         anchor ?? undefined,
       );
+  };
+  const changed = (reason: ChangeReason) => {
+    const byUser = reason !== "host";
+    if (store.measured !== measured) {
+      measured = store.measured;
+      if (byUser) element.tell("measured-change", { measured });
+    }
+    submits();
     // The text of a field may change without the job: `30+2` becomes 32 when the field is left.
-    if (byUser && job !== before) {
-      store.outside.sent(job);
-      element.tell("job-change", { job: JSON.parse(job) });
-      element.dispatchEvent(
-        new Event("input", { bubbles: true, composed: true }),
-      );
-      commit = true;
+    if (told.job !== now().job) {
+      told.job = now().job;
+      if (byUser) {
+        store.outside.sent(told.job);
+        element.tell("job-change", detailOf(now().copies, ["job"], {}));
+        element.dispatchEvent(
+          new Event("input", { bubbles: true, composed: true }),
+        );
+      }
     }
-    if (!stale && store.plan !== plan) {
-      plan = store.plan;
-      element.tell("plan-change", copyOf(plan));
+    if (told.plan !== now().plan) {
+      told.plan = now().plan;
+      element.tell("plan-change", detailOf(now().copies, ["plan"], {}));
     }
-    const found = JSON.stringify(store.findings);
-    if (found !== findings) {
-      findings = found;
-      element.tell("finding", { findings: JSON.parse(found), refused: false });
+    if (told.findings !== now().findings) {
+      told.findings = now().findings;
+      const refused = { refused: false };
+      element.tell("finding", detailOf(now().copies, ["findings"], refused));
     }
+    const { job, plan, findings, copies } = now();
+    if (job === whole.job && plan === whole.plan && findings === whole.findings)
+      return;
+    whole = { job, plan, findings };
+    const all = ["job", "plan", "findings"] as const;
+    element.tell("change", detailOf(copies, all, { reason }));
   };
   store.addEventListener("change", () => {
-    changed(store.userChange);
+    changed(store.changeReason);
     // The selected move may have disappeared with its plan.
     selected();
   });
-  store.addEventListener("edit-committed", committed);
   store.addEventListener("select", selected);
-  app.updateComplete.then(() => changed(false));
+  app.updateComplete.then(() => changed("host"));
 }

@@ -1,4 +1,5 @@
 // Display of a <touch-path>: its keywords, and its panels in other elements of the page.
+import type { TouchPathEvents } from "../core/events.js";
 import type { Finding } from "../core/types.js";
 import type { App } from "../parts/app.js";
 import type { Store } from "../store.js";
@@ -12,7 +13,6 @@ import {
   WORDS,
   type Wordy,
 } from "./attributes.js";
-import type { TouchPathEvents } from "./events.js";
 import { Base } from "./loading.js";
 
 /** An element that shows panels of this job elsewhere on the page. */
@@ -106,6 +106,7 @@ export abstract class Showing extends Base {
     const { app, store } = this;
     if (!app || !store) return;
     store.readonly = this.readonly || this.matches(":disabled");
+    store.keepsHistory = this.words.get("history") !== "none";
     store.askCam(this.words.has("mode") ? this.mode === "cam" : null);
     const show = (app: App, panels: string, asked: boolean) => {
       const words = panels.split(/\s+/);

@@ -1,5 +1,6 @@
 // <touch-path>: all of Touchpath as one element.
-import type { Config, Cycle, Finding, Job, Plan } from "../core/types.js";
+import type { TouchPathEvents } from "../core/events.js";
+import type { AnyJob, Config, Cycle, Finding, Plan } from "../core/types.js";
 import { FIRST_CYCLE } from "../first-cycle.js";
 import type { App } from "../parts/app.js";
 import {
@@ -7,6 +8,7 @@ import {
   type Input,
   type Inputs,
   isWordy,
+  OBJECT_AS_TEXT,
   PANEL_NAMES,
   type View,
   WORDS,
@@ -34,16 +36,17 @@ type Units = "mm" | "inch";
  * @attr {"setter" | "cam"} mode - `cam` also shows what only authors of postprocessors need: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
  * @attr {"top" | "front" | "side" | "isometric"} view - The view of the picture, `top` by default. The user can change it; the property returns the current one.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are stored in this browser; `none` by default. Only one element per origin should use `local`.
+ * @attr {"session" | "none"} history - Whether the user's steps can be undone here, `session` by default. With `none` the host page has its own undo: Ctrl+Z and Ctrl+Y reach it, and the buttons are gone.
  * @attr {boolean} links - Whether the element loads the job of a link (`#job1=…`) in the page's address and offers such links.
  * @attr {boolean} disabled - Whether the form control is disabled: the job is read-only and is not submitted.
  * @attr {string} name - The name of the job's JSON in a form.
- * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
- * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the host page. A job with errors fires no event.
+ * @fires {CustomEvent<{ job: AnyJob, plan: Plan | null, findings: Finding[], reason: ChangeReason }>} change - The job, its plan or its findings have changed, by the user or by the host page. `plan` is `null` while the job has errors. `reason` is `edit`, `undo`, `redo`, `open` (another job, or a reset) or `host`.
+ * @fires {CustomEvent<{ job: AnyJob }>} job-change - The user has changed the job. It may be a set-up, unless the config has `"setUps": false`.
+ * @fires {CustomEvent<{ plan: Plan | null }>} plan-change - The plan has changed, by the user or by the host page. `null` as soon as the job has an error.
  * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. If the event is cancelled, the element saves no file: the host page does.
  * @fires {CustomEvent<Selection>} selection-change - The user has selected another move, line or field, or the selected move is gone.
  * @fires {CustomEvent<{ measured: string }>} measured-change - The user has changed the measured points.
  * @fires {Event} input - The user has changed the job, like `job-change`: for form libraries.
- * @fires {Event} change - The user has left a changed field or made a choice: for form libraries.
  * @fires {Event} load - The element is loaded and shown: `ready` is fulfilled. Does not bubble.
  * @fires {ErrorEvent} error - The element could not be loaded: `ready` is rejected. Does not bubble.
  * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used and changed nothing.
@@ -76,6 +79,7 @@ export class TouchPath extends Showing {
     "mode",
     "view",
     "storage",
+    "history",
   ];
 
   private readonly inside: ElementInternals;
@@ -121,6 +125,7 @@ export class TouchPath extends Showing {
       "disabled",
       "links",
       "storage",
+      "history",
       "name",
     ]);
     if (this.app) this.shadow.append(this.app);
@@ -157,7 +162,7 @@ export class TouchPath extends Showing {
     before: string | null,
     value: string | null,
   ): void {
-    if (value === before) return;
+    if (value === before || value === OBJECT_AS_TEXT) return;
     if ((INPUTS as readonly string[]).includes(name)) {
       this.put(name as Input, value, this.pendingInputs);
     } else if (name === "lang") this.app?.reword();
@@ -168,11 +173,11 @@ export class TouchPath extends Showing {
   }
 
   /** A copy of the job in the form, including its errors; `undefined` until the element is loaded. May be set as an object or as JSON. */
-  get job(): Job | undefined {
-    return this.store && (structuredClone(this.store.job) as unknown as Job);
+  get job(): AnyJob | undefined {
+    return this.store && (structuredClone(this.store.job) as unknown as AnyJob);
   }
 
-  set job(value: Job | string | null | undefined) {
+  set job(value: AnyJob | string | null | undefined) {
     this.put("job", value);
   }
 
@@ -292,16 +297,26 @@ export class TouchPath extends Showing {
     return this.beforeLoad === null && (this.app?.save() ?? false);
   }
 
+  /** Whether there is a step to undo. It changes only with `change`. */
+  get canUndo(): boolean {
+    return this.store?.canUndo ?? false;
+  }
+
+  /** Whether there is a step to redo. */
+  get canRedo(): boolean {
+    return this.store?.canRedo ?? false;
+  }
+
   /** Undoes the user's last step, as Ctrl+Z does, and fires `job-change`. Returns `false` if there is nothing to undo. */
   undo(): boolean {
-    const can = this.store?.canUndo ?? false;
+    const can = this.canUndo;
     if (can) this.store?.undo();
     return can;
   }
 
   /** Redoes the step that was undone last. Returns `false` if there is nothing to redo. */
   redo(): boolean {
-    const can = this.store?.canRedo ?? false;
+    const can = this.canRedo;
     if (can) this.store?.redo();
     return can;
   }
@@ -330,6 +345,15 @@ export class TouchPath extends Showing {
 
   set storage(value: "none" | "local" | null | undefined) {
     this.say("storage", value);
+  }
+
+  /** Whether the user's steps can be undone here; `none` leaves undo to the host page. */
+  get history(): "session" | "none" {
+    return this.words.get("history") === "none" ? "none" : "session";
+  }
+
+  set history(value: "session" | "none" | null | undefined) {
+    this.say("history", value);
   }
 
   /** Whether links to the job are followed and offered. Set it before the element is added to a document. */
@@ -409,6 +433,30 @@ export class TouchPath extends Showing {
   /** Like `checkValidity`; the browser also shows the reason. */
   reportValidity(): boolean {
     return this.inside.reportValidity();
+  }
+
+  override addEventListener<K extends keyof TouchPathEvents>(
+    type: K,
+    listener: (this: TouchPath, event: TouchPathEvents[K]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener<K extends keyof HTMLElementEventMap>(
+    type: K,
+    listener: (this: HTMLElement, event: HTMLElementEventMap[K]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    // biome-ignore lint/suspicious/noExplicitAny: the overloads give the event's type.
+    listener: any,
+    options?: boolean | AddEventListenerOptions,
+  ): void {
+    super.addEventListener(type, listener, options);
   }
 
   /** Focuses the first field of the form. */

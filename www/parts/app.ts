@@ -1,11 +1,10 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import {
+  type AnyJob,
   awaited,
-  type Job,
   type Message,
   type ProgramMoves,
-  type SetUp,
 } from "../core/browser.js";
 import { bufferInput } from "../input-buffer.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
@@ -394,7 +393,7 @@ export class App extends LitElement {
       </main>
       ${this.tools.now === "gallery" ? html`<tp-gallery role="main" .store=${store} .adds=${this.actions.adds} @chosen=${this.actions.chosen}></tp-gallery>` : nothing}
       ${this.tools.now === "manual" ? html`<tp-manual role="main" tabindex="0" .store=${store} .topic=${this.actions.topic} @chosen=${this.actions.chosen}></tp-manual>` : nothing}
-      ${this.tools.now === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job | SetUp>) => this.intake.adopt(e.detail)} @shown=${(e: CustomEvent<ProgramMoves>) => this.showsMoves(e.detail)}></tp-viewer>` : nothing}
+      ${this.tools.now === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<AnyJob>) => this.intake.adopt(e.detail)} @shown=${(e: CustomEvent<ProgramMoves>) => this.showsMoves(e.detail)}></tp-viewer>` : nothing}
       ${this.tools.now === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.tools.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tools.now === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" ?hidden=${this.around.isRemotePanel || (beside && away === "" && !this.around.host.querySelector("[slot=footer]"))} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tools.now === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : beside ? nothing : findings}<slot name="footer"></slot></footer>

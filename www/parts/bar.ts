@@ -61,8 +61,12 @@ class BarPart extends FieldPart {
       }
       <span class="gap"></span>
       <button type="button" class="find" title=${`${this.t("Find anything")} (Ctrl+K)`} aria-label=${this.t("Find anything")} @click=${() => this.ask("commands")}><span class="words" aria-hidden="true">${this.t("Find anything")}</span><kbd aria-hidden="true">Ctrl K</kbd><span class="sign" aria-hidden="true">⌕</span></button>
-      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || away} @click=${() => store.undo()}>↶</button>
-      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>
+      ${
+        store.keepsHistory
+          ? html`<button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || away} @click=${() => store.undo()}>↶</button>
+      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>`
+          : nothing
+      }
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       ${this.saves && !this.opened ? saveButton(store, withheld, () => this.ask("save")) : nothing}
       ${withheld === null ? nothing : html`<span class="visually-hidden" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}

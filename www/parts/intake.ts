@@ -1,10 +1,9 @@
 import {
+  type AnyJob,
   awaited,
   type Finding,
-  type Job,
   JobError,
   type ProgramMoves,
-  type SetUp,
 } from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
@@ -209,7 +208,7 @@ export class Intake {
   }
 
   /** Loads the job of a call in an opened program, or of all its calls. */
-  adopt(job: Job | SetUp): void {
+  adopt(job: AnyJob): void {
     try {
       this.store.open({
         imported: { kind: "job", job, findings: [] },

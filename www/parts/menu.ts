@@ -134,7 +134,7 @@ export function menu(frame: Frame): TemplateResult {
     html`<button type="button" class=${only || nothing} ?disabled=${away || withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} title=${withheld ?? nothing} @click=${() => frame.choose(what)}>${name}</button>`;
   const chosen = (event: Event) => (event.target as HTMLSelectElement).value;
   return html`<div class="menu" id="menu" popover role="group" aria-label=${t("More")} @beforetoggle=${() => frame.look()}>
-      ${item("commands", t("Find anything"), true, "on-phone")} ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)}
+      ${item("commands", t("Find anything"), true, "on-phone")} ${item("redo", t("Redo"), !readonly && store.keepsHistory, "on-phone", !store.canRedo)}
       ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("share", t("Copy a link to this job"), links)} ${of("sheet", t("Setup sheet to print"))}
       ${item("save-job", t("Save job"))} ${of("save-picture", t("Save the picture (SVG)"))} ${item("presets", t("My machines"), local && !readonly)}
       ${item("lengths", t("Tool lengths (SINUMERIK)"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}

@@ -2,11 +2,10 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { jobOfCalls } from "../calls-job.js";
 import type {
-  Job,
+  AnyJob,
   ProgramKnown,
   ProgramPart,
   ProgramRun,
-  SetUp,
 } from "../core/browser.js";
 import { PROGRAM_POST_TITLES } from "../core/program-posts.js";
 import type { Ran } from "../run-text.js";
@@ -85,7 +84,7 @@ export class RunPanel {
     private readonly store: () => Store,
     private readonly changed: (known: ProgramKnown) => void,
     private readonly point: (line: number) => void,
-    private readonly adopt: (job: Job | SetUp) => void,
+    private readonly adopt: (job: AnyJob) => void,
   ) {}
 
   /** Shows another program. */

@@ -46,6 +46,8 @@ export class Shortcuts {
       (key !== "s" && at.id === "paste")
     )
       return;
+    // The host page has its own undo.
+    if ("yz".includes(key) && !this.page.store.keepsHistory) return;
     event.preventDefault();
     if (key === "k") {
       if (!this.app.querySelector("dialog[open]")) this.page.ask("commands");

@@ -93,6 +93,9 @@ const HEAD: &str =
 
 import type { Cycle, PostId, Relation, Vec3 } from \"./job-types.js\";
 import type { Message } from \"./said.js\";
+
+/** A whole number. @asType integer */
+export type Integer = number;
 ";
 
 /// The verdict of the whole workpiece includes the reaction of the control.
@@ -250,7 +253,8 @@ fn type_of(ty: &Type) -> String {
                 _ => panic!("not a type that is known here"),
             };
             match last.ident.to_string().as_str() {
-                "f64" | "usize" | "i32" | "u8" => "number".to_owned(),
+                "f64" => "number".to_owned(),
+                "usize" | "i32" | "u8" => "Integer".to_owned(),
                 "bool" => "boolean".to_owned(),
                 "String" | "str" => "string".to_owned(),
                 "Text" => "Message".to_owned(),
