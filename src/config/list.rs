@@ -12,39 +12,22 @@ pub fn entries<'v>(
     value: Option<&'v Value>,
     path: &str,
 ) -> Vec<(String, &'v Value)> {
-    match value {
-        None => Vec::new(),
-        Some(Value::List(items)) if items.len() <= MOST => items
-            .iter()
-            .enumerate()
-            .map(|(i, item)| (format!("{path}[{i}]"), item))
-            .collect(),
-        Some(Value::List(items)) => {
-            checker.error(
-                "too-long",
-                path,
-                text!(
-                    "{path} may have {most} entries, not {count}",
-                    path.to_owned(),
-                    MOST,
-                    items.len()
-                ),
-            );
-            Vec::new()
-        }
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                path,
-                text!(
-                    "{path} must be a list, not {given}",
-                    path.to_owned(),
-                    other.noun()
-                ),
-            );
-            Vec::new()
-        }
+    let items = checker.list(value, path).unwrap_or_default();
+    if items.len() > MOST {
+        let message = text!(
+            "{path} may have {most} entries, not {count}",
+            path.to_owned(),
+            MOST,
+            items.len()
+        );
+        checker.error("too-long", path, message);
+        return Vec::new();
     }
+    items
+        .iter()
+        .enumerate()
+        .map(|(i, item)| (format!("{path}[{i}]"), item))
+        .collect()
 }
 
 /// Reads the entries of a list and reports those that `one` rejects. `known` names the valid entries.

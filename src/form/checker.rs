@@ -53,6 +53,58 @@ impl Checker {
         }
     }
 
+    /// The entries of a list, none if it is absent. Reports any other value.
+    pub fn list<'v>(&mut self, value: Option<&'v Value>, path: &str) -> Option<&'v [Value]> {
+        match value {
+            None => Some(&[]),
+            Some(Value::List(list)) => Some(list),
+            Some(other) => {
+                let message = text!(
+                    "{path} must be a list, not {given}",
+                    self.place(path),
+                    other.noun()
+                );
+                self.error("wrong-type", path, message);
+                None
+            }
+        }
+    }
+
+    /// The entries of an object, none if it is absent. Reports any other value.
+    pub fn object<'v>(
+        &mut self,
+        value: Option<&'v Value>,
+        path: &str,
+    ) -> Option<&'v [(String, Value)]> {
+        match value {
+            None => Some(&[]),
+            Some(Value::Map(entries)) => Some(entries),
+            Some(other) => {
+                let message = text!(
+                    "{path} must be an object, not {given}",
+                    self.place(path),
+                    other.noun()
+                );
+                self.error("wrong-type", path, message);
+                None
+            }
+        }
+    }
+
+    /// A text. Reports any other value.
+    pub fn text<'v>(&mut self, value: &'v Value, path: &str) -> Option<&'v str> {
+        if let Value::Text(text) = value {
+            return Some(text);
+        }
+        let message = text!(
+            "{path} must be text, not {given}",
+            path.to_owned(),
+            value.noun()
+        );
+        self.error("wrong-type", path, message);
+        None
+    }
+
     pub fn error(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Error, code, path, message);
     }
@@ -188,6 +240,18 @@ impl Checker {
     }
 }
 
+/// The known word that differs least from a mistyped one: in case, or in a quarter of its letters. Two exchanged letters count as one.
+fn similar<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+    // Longer texts are no mistyped words.
+    if word.len() > 40 {
+        return None;
+    }
+    let word = word.to_ascii_lowercase();
+    let off = |known: &str| strsim::osa_distance(&word, &known.to_ascii_lowercase());
+    let (off, near) = known.iter().map(|known| (off(known), *known)).min()?;
+    (off <= (word.len() / 4).max(1) && off < near.len()).then_some(near)
+}
+
 /// An object of the job during reading.
 #[derive(Debug)]
 pub struct Section<'a, 'c> {
@@ -199,21 +263,7 @@ pub struct Section<'a, 'c> {
 impl<'a, 'c> Section<'a, 'c> {
     /// The object `value` at `path` (empty for the job itself). It may be absent; anything but an object is reported.
     pub fn new(checker: &'c mut Checker, value: Option<&'a Value>, path: &'a str) -> Self {
-        let value = match value {
-            None | Some(Value::Map(_)) => value,
-            Some(other) => {
-                checker.error(
-                    "wrong-type",
-                    path,
-                    text!(
-                        "{place} must be an object, not {given}",
-                        checker.place(path),
-                        other.noun()
-                    ),
-                );
-                None
-            }
-        };
+        let value = checker.object(value, path).and(value);
         Section {
             checker,
             value,
@@ -266,16 +316,22 @@ impl<'a, 'c> Section<'a, 'c> {
                     .chain(others.iter().copied())
                     .collect();
                 let shown = printable(key);
-                self.checker.error(
-                    "unknown-key",
-                    self.at(&shown),
-                    text!(
+                let place = self.checker.place(self.path);
+                let message = match similar(key, &names) {
+                    Some(near) => text!(
+                        "{place} has no \"{key}\". Did you mean \"{near}\"?",
+                        place,
+                        shown.clone(),
+                        near.to_owned()
+                    ),
+                    None => text!(
                         "{place} has no \"{key}\"; its keys are {keys}",
-                        self.checker.place(self.path),
-                        shown,
+                        place,
+                        shown.clone(),
                         names.join(", ")
                     ),
-                );
+                };
+                self.checker.error("unknown-key", self.at(&shown), message);
             }
         }
     }
@@ -777,4 +833,27 @@ pub(crate) fn printable(text: &str) -> String {
         shown.push('…');
     }
     shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::similar;
+
+    #[test]
+    fn a_mistyped_key_has_a_similar_one_and_another_word_has_none() {
+        let known = ["diameter", "depth", "length", "type", "post"];
+        for (typed, meant) in [
+            ("diamter", Some("diameter")),
+            ("lenght", Some("length")),
+            ("Depth", Some("depth")),
+            ("pots", Some("post")),
+            ("speed", None),
+            ("x", None),
+            ("", None),
+        ] {
+            assert_eq!(similar(typed, &known), meant, "{typed}");
+        }
+        assert_eq!(similar(&"diameter".repeat(10_000), &known), None);
+        assert_eq!(similar("y", &["x"]), None, "no letter is left");
+    }
 }

@@ -30,6 +30,11 @@ impl Value {
         }
     }
 
+    /// The value under `key`, if it is given: neither absent nor null.
+    pub(crate) fn given(&self, key: &str) -> Option<&Value> {
+        self.get(key).filter(|value| **value != Value::Null)
+    }
+
     /// The value under `key`, mutable.
     pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
         match self {

@@ -1,6 +1,6 @@
 //! Write of a set-up: the result for each axis of the work offset and its rotation, and the resulting shift.
 
-use crate::form::{Checker, Value};
+use crate::form::{Checker, Section, Value};
 use crate::formula::Role;
 use crate::geom::AXIS_NAMES;
 use crate::job::cycles::DATUM;
@@ -29,32 +29,12 @@ pub fn read(
     writes: bool,
 ) -> Option<DatumSource> {
     let (path, members) = (&whole.path, &whole.members);
-    let given = match value.get("datum") {
-        None | Some(Value::Null) => None,
-        Some(datum @ Value::Map(entries)) => {
-            for (key, _) in entries
-                .iter()
-                .filter(|(key, _)| !DATUM.contains(&key.as_str()))
-            {
-                let shown = crate::form::printable(key);
-                let message = text!(
-                    "datum has no \"{key}\"; its keys are {keys}",
-                    shown.clone(),
-                    DATUM.join(", ")
-                );
-                checker.error("unknown-key", format!("datum.{shown}"), message);
-            }
-            Some(datum)
-        }
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                "datum",
-                text!("datum must be an object, not {given}", other.noun()),
-            );
-            return None;
-        }
-    };
+    let given = value.given("datum");
+    let mut section = Section::new(checker, given, "datum");
+    section.only(&[], &DATUM);
+    if section.value().is_none() && given.is_some() {
+        return None;
+    }
     let mut written = DatumSource::default();
     let own = several(&members[0].job).is_some();
     let last = members.len() - 1;
@@ -68,25 +48,16 @@ pub fn read(
         }
         let found = match said {
             None | Some(Value::Null) => continue,
-            Some(Value::Text(text)) => {
+            Some(said) => checker.text(said, &path_of).and_then(|text| {
                 let mut all = candidates(path, axis);
                 let at = all
                     .iter()
                     .position(|known| known.named.eq_ignore_ascii_case(text));
                 if at.is_none() {
-                    checker.error("datum-unknown", path_of, unknown_datum(text, axis, &all));
+                    checker.error("datum-unknown", &*path_of, unknown_datum(text, axis, &all));
                 }
                 at.map(|at| all.swap_remove(at))
-            }
-            Some(other) => {
-                let message = text!(
-                    "{path} must be text, not {given}",
-                    path_of.clone(),
-                    other.noun()
-                );
-                checker.error("wrong-type", path_of, message);
-                None
-            }
+            }),
         };
         match axis {
             3 => written.rotation = found.map(|found| found.result),

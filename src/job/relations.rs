@@ -1,6 +1,6 @@
 //! Reads the relations of a set-up: results computed from results of its cycles.
 
-use crate::form::{Checker, Value, printable};
+use crate::form::{Checker, Section, Value, printable};
 use crate::formula::{self, Formula, Operand, Relation, RelationDef, ResultDef};
 use crate::job::cycles::{LONGEST_NAME, MOST_CYCLES, RELATIONS, is_name};
 use crate::job::judge::{judge, report_judged};
@@ -38,15 +38,9 @@ impl<'v> Relations<'v> {
         cycles: &'v [String],
         followed: &[&str],
     ) -> Self {
-        let list = match value.get(RELATIONS) {
-            None | Some(Value::Null) => &[],
-            Some(Value::List(list)) => list.as_slice(),
-            Some(other) => {
-                let message = text!("relations must be a list, not {given}", other.noun());
-                checker.error("wrong-type", RELATIONS, message);
-                &[]
-            }
-        };
+        let list = checker
+            .list(value.given(RELATIONS), RELATIONS)
+            .unwrap_or_default();
         if list.len() > MOST_CYCLES {
             let message = text!(
                 "A set-up has at most {most} relations, not {count}",
@@ -190,26 +184,10 @@ fn read_one(
     known: &Operands<'_>,
 ) -> Option<(String, formula::RelationTerm)> {
     let given = &list[i];
-    let Value::Map(entries) = given else {
-        let message = text!(
-            "relations[{index}] must be an object, not {given}",
-            i,
-            given.noun()
-        );
-        checker.error("wrong-type", format!("{RELATIONS}[{i}]"), message);
-        return None;
-    };
-    for (key, _) in entries
-        .iter()
-        .filter(|(key, _)| !["name", "type", "of"].contains(&key.as_str()))
-    {
-        let shown = printable(key);
-        let message = text!(
-            "A relation has no \"{key}\"; its keys are name, type and of",
-            shown.clone()
-        );
-        checker.error("unknown-key", format!("{RELATIONS}[{i}].{shown}"), message);
-    }
+    let path = format!("{RELATIONS}[{i}]");
+    let mut section = Section::new(checker, Some(given), &path);
+    section.only(&[], &["name", "type", "of"]);
+    section.value()?;
     let taken = list[..i]
         .iter()
         .filter_map(|other| match other.get("name") {
@@ -236,28 +214,12 @@ fn read_one(
 
 fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) -> Option<String> {
     let at = format!("{RELATIONS}[{i}].name");
-    let name = match given.get("name") {
-        Some(Value::Text(name)) => name,
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                at,
-                text!(
-                    "The name of a relation must be text, not {given}",
-                    other.noun()
-                ),
-            );
-            return None;
-        }
-        None => {
-            checker.error(
-                "missing",
-                at,
-                text!("A relation needs a name, the prefix of its results"),
-            );
-            return None;
-        }
+    let Some(name) = given.get("name") else {
+        let message = text!("A relation needs a name, the prefix of its results");
+        checker.error("missing", at, message);
+        return None;
     };
+    let name = checker.text(name, &at)?;
     if !is_name(name) {
         let message = text!(
             "A relation cannot be called \"{name}\": a letter first, then letters and digits, {most} characters at most, since programs print it",
@@ -270,12 +232,12 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
     if taken.iter().any(|other| other.eq_ignore_ascii_case(name)) {
         let message = text!(
             "Another cycle or relation has the name {name}, too",
-            name.clone()
+            name.to_owned()
         );
         checker.error("cycle-name", at, message);
         return None;
     }
-    Some(name.clone())
+    Some(name.to_owned())
 }
 
 fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation> {
@@ -286,38 +248,15 @@ fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation>
             .map(|def| format!("\"{}\"", def.key))
             .join(", ")
     };
-    match given.get("type") {
-        Some(Value::Text(word)) => {
-            let found = RelationDef::find(word);
-            if found.is_none() {
-                checker.error(
-                    "unknown-value",
-                    at,
-                    text!("The type of a relation must be one of {known}", known()),
-                );
-            }
-            found
-        }
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                at,
-                text!(
-                    "The type of a relation must be text, not {given}",
-                    other.noun()
-                ),
-            );
-            None
-        }
-        None => {
-            checker.error(
-                "missing",
-                at,
-                text!("The type of a relation must be one of {known}", known()),
-            );
-            None
-        }
+    let (code, found) = match given.get("type") {
+        Some(word) => ("unknown-value", RelationDef::find(checker.text(word, &at)?)),
+        None => ("missing", None),
+    };
+    if found.is_none() {
+        let message = text!("The type of a relation must be one of {known}", known());
+        checker.error(code, at, message);
     }
+    found
 }
 
 /// Operands of a relation: cycles that measure a position, or results.
@@ -328,19 +267,7 @@ fn read_of(
     (i, relation): (usize, Relation),
 ) -> Option<Vec<Operand>> {
     let at = format!("{RELATIONS}[{i}].of");
-    let list = match given.get("of") {
-        Some(Value::List(list)) => list.as_slice(),
-        None => &[],
-        Some(other) => {
-            let message = text!(
-                "{path} must be a list, not {given}",
-                at.clone(),
-                other.noun()
-            );
-            checker.error("wrong-type", at, message);
-            return None;
-        }
-    };
+    let list = checker.list(given.get("of"), &at)?;
     let RelationDef { least, most, .. } = *relation;
     if !(least..=most.unwrap_or(MOST_CYCLES)).contains(&list.len()) {
         let message = match most {
@@ -361,51 +288,39 @@ fn read_of(
     let mut of = Vec::with_capacity(list.len());
     for (k, given) in list.iter().enumerate() {
         let at = format!("{at}[{k}]");
-        match read_operand(given, known, relation.places, &at) {
-            Err((code, message)) => checker.error(code, at, message),
-            Ok((operand, name)) if of.contains(&operand) => {
-                checker.error("relation-of", at, text!("{name} is listed twice", name));
+        let Some(name) = checker.text(given, &at) else {
+            continue;
+        };
+        match read_operand(name, known, relation.places) {
+            Err(message) => checker.error("relation-of", at, message),
+            Ok(operand) if of.contains(&operand) => {
+                let message = text!("{name} is listed twice", name.to_owned());
+                checker.error("relation-of", at, message);
             }
-            Ok((operand, _)) => of.push(operand),
+            Ok(operand) => of.push(operand),
         }
     }
     (of.len() == list.len() && check_kinds(checker, known.formula, &of, relation, at)).then_some(of)
 }
 
-/// One operand of a relation and its name, or the code and text of its error.
-fn read_operand(
-    given: &Value,
-    known: &Operands<'_>,
-    places: bool,
-    at: &str,
-) -> Result<(Operand, String), (&'static str, Text)> {
-    let Value::Text(name) = given else {
-        let message = text!(
-            "{path} must be text, not {given}",
-            at.to_owned(),
-            given.noun()
-        );
-        return Err(("wrong-type", message));
-    };
+/// The operand of a relation with this name, or the reason why there is none.
+fn read_operand(name: &str, known: &Operands<'_>, places: bool) -> Result<Operand, Text> {
     let found = if places {
         known.place(name)
     } else {
         known.single(name)
     };
-    found.map(|operand| (operand, name.clone())).ok_or_else(|| {
-        let message = match places {
-            true => text!(
-                "\"{name}\" measures no position in the plane. These do: {known}",
-                printable(name),
-                known.places().join(", ")
-            ),
-            false => text!(
-                "There is no measured result \"{name}\". Available: {known}",
-                printable(name),
-                known.results().join(", ")
-            ),
-        };
-        ("relation-of", message)
+    found.ok_or_else(|| match places {
+        true => text!(
+            "\"{name}\" measures no position in the plane. These do: {known}",
+            printable(name),
+            known.places().join(", ")
+        ),
+        false => text!(
+            "There is no measured result \"{name}\". Available: {known}",
+            printable(name),
+            known.results().join(", ")
+        ),
     })
 }
 

@@ -483,14 +483,7 @@ impl Job {
 
     /// Reads and checks a job. Reports everything; returns the job only without errors.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
-        if !matches!(value, Value::Map(_)) {
-            checker.error(
-                "wrong-type",
-                "",
-                text!("A job must be an object, not {given}", value.noun()),
-            );
-            return None;
-        }
+        checker.object(Some(value), "")?;
         read_format(checker, value);
         let units = Units::of(value);
         (checker.scale, checker.unit) = (units.scale(), units.word());
@@ -703,33 +696,13 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
         checker.error("missing", "cycle", text!("The job must have a cycle"));
         return None;
     };
-    if !matches!(given, Value::Map(_)) {
-        checker.error(
-            "wrong-type",
-            "cycle",
-            text!("cycle must be an object, not {given}", given.noun()),
-        );
+    checker.object(Some(given), "cycle")?;
+    let Some(key) = given.get("type") else {
+        let message = text!("The cycle must specify its type: one of {known}", known());
+        checker.error("missing", "cycle.type", message);
         return None;
-    }
-    let def = match given.get("type") {
-        Some(Value::Text(key)) => cycle::find(key),
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                "cycle.type",
-                text!("The cycle's type must be text, not {given}", other.noun()),
-            );
-            return None;
-        }
-        None => {
-            checker.error(
-                "missing",
-                "cycle.type",
-                text!("The cycle must specify its type: one of {known}", known()),
-            );
-            return None;
-        }
     };
+    let def = cycle::find(checker.text(key, "cycle.type")?);
     let Some(def) = def else {
         checker.error(
             "unknown-value",
@@ -915,15 +888,8 @@ fn read_sizes(
     (setup, sized): (&ProbeSettings, &[Sized]),
 ) -> Option<Box<dyn Cycle>> {
     let (def, cycle, _) = cycle?;
-    let given = match value.get("part").and_then(|part| part.get("sizes")) {
-        None => None,
-        Some(given @ Value::Map(_)) => Some(given),
-        Some(other) => {
-            let message = text!("part.sizes must be an object, not {given}", other.noun());
-            checker.error("wrong-type", "part.sizes", message);
-            return None;
-        }
-    };
+    let given = value.get("part").and_then(|part| part.get("sizes"));
+    checker.object(given, "part.sizes")?;
     let fields: Vec<Field> = def.fields.iter().filter(|f| f.size).copied().collect();
     Section::new(checker, given, "part.sizes").only(&fields, &[]);
     let mut actual: Option<Box<dyn Cycle>> = None;

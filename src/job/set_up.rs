@@ -82,12 +82,7 @@ impl Reading<'_> {
     fn read_cycle(&mut self, checker: &mut Checker, index: usize) {
         let name = &self.names[index];
         let Some(mut single) = single_cycle_job(self.value, index) else {
-            let message = text!(
-                "cycles[{index}] must be an object, not {given}",
-                index,
-                self.cycles[index].noun()
-            );
-            checker.error("wrong-type", format!("cycles[{index}]"), message);
+            checker.object(Some(&self.cycles[index]), &format!("cycles[{index}]"));
             self.sound = false;
             return;
         };
@@ -282,51 +277,29 @@ fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]>
         let message = text!("A job has either a cycle or a list of cycles, not both");
         checker.error("unknown-key", "cycle", message);
     }
-    match value.get("cycles") {
-        Some(Value::List(cycles)) if (1..=MOST_CYCLES).contains(&cycles.len()) => Some(cycles),
-        Some(Value::List(cycles)) => {
-            let message = text!(
-                "A set-up has 1 to {most} cycles, not {count}",
-                MOST_CYCLES,
-                cycles.len()
-            );
-            checker.error("wrong-count", "cycles", message);
-            None
-        }
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                "cycles",
-                text!("cycles must be a list, not {given}", other.noun()),
-            );
-            None
-        }
-        None => {
-            checker.error(
-                "missing",
-                "cycles",
-                text!("A job of format 2 must have a list of cycles"),
-            );
-            None
-        }
+    let Some(cycles) = value.get("cycles") else {
+        let message = text!("A job of format 2 must have a list of cycles");
+        checker.error("missing", "cycles", message);
+        return None;
+    };
+    let cycles = checker.list(Some(cycles), "cycles")?;
+    if !(1..=MOST_CYCLES).contains(&cycles.len()) {
+        let message = text!(
+            "A set-up has 1 to {most} cycles, not {count}",
+            MOST_CYCLES,
+            cycles.len()
+        );
+        checker.error("wrong-count", "cycles", message);
+        return None;
     }
+    Some(cycles)
 }
 
 fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
     for (i, name) in names.iter().enumerate() {
         let path = || format!("cycles[{i}].name");
-        if let Some(other) = cycles[i]
-            .get("name")
-            .filter(|given| !matches!(given, Value::Text(_) | Value::Null))
-        {
-            checker.error(
-                "wrong-type",
-                path(),
-                text!(
-                    "The name of a cycle must be text, not {given}",
-                    other.noun()
-                ),
-            );
+        if let Some(given) = cycles[i].given("name") {
+            checker.text(given, &path());
         }
         if !is_name(name) {
             let shown: String = name.chars().take(40).collect();

@@ -1,12 +1,12 @@
 //! Reads `tolerances` of a job: the tolerance of each result, with the action beyond it.
 
 use crate::control::ProgramForm;
-use crate::form::{Checker, Value, printable};
+use crate::form::{Checker, Section, Value, printable};
 use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
 use crate::job::planned::PlannedJob;
 use crate::job::sections::TOLERANCES;
-use crate::job::wear;
+use crate::job::wear::{self, WEAR};
 use crate::num::tidy;
 use crate::path::Path;
 use crate::text::{Text, text, words};
@@ -28,13 +28,8 @@ struct Given<'v> {
 
 /// Reads the tolerances of a planned job and adds each to its result. Reports all faults.
 pub fn read(checker: &mut Checker, value: &Value, planned: &mut PlannedJob) {
-    let entries: &[(String, Value)] = match value.get(TOLERANCES) {
-        None | Some(Value::Null) => &[],
-        Some(Value::Map(entries)) => entries,
-        Some(other) => {
-            let message = text!("tolerances must be an object, not {given}", other.noun());
-            return checker.error("wrong-type", TOLERANCES, message);
-        }
+    let Some(entries) = checker.object(value.given(TOLERANCES), TOLERANCES) else {
+        return;
     };
     let mut all = of_entries(checker, entries, planned);
     add_sizes(checker, planned, &mut all);
@@ -189,9 +184,9 @@ fn one(
     let at = &given.at;
     let none = Value::Map(Vec::new());
     let entry = given.entry.unwrap_or(&none);
-    if given.entry.is_some() {
-        check_keys(checker, entry, at)?;
-    }
+    let mut section = Section::new(checker, Some(entry), at);
+    section.only(&[], &["tolerance", "action", WEAR.key]);
+    section.value()?;
     let formula = &path_of_job.formula;
     let def = &formula.results[given.index];
     let action = consequence(checker, job, entry, &format!("{at}.action"));
@@ -229,31 +224,6 @@ fn one(
     Some(tolerance)
 }
 
-/// Whether an entry is an object. Reports unknown keys.
-fn check_keys(checker: &mut Checker, entry: &Value, at: &str) -> Option<()> {
-    let Value::Map(entries) = entry else {
-        let message = text!(
-            "{path} must be an object, not {given}",
-            at.to_owned(),
-            entry.noun()
-        );
-        checker.error("wrong-type", at, message);
-        return None;
-    };
-    for (key, _) in entries
-        .iter()
-        .filter(|(key, _)| !["tolerance", "action", "wear"].contains(&key.as_str()))
-    {
-        let shown = printable(key);
-        let message = text!(
-            "A tolerance has no \"{key}\"; its keys are tolerance, action and wear",
-            shown.clone()
-        );
-        checker.error("unknown-key", format!("{at}.{shown}"), message);
-    }
-    Some(())
-}
-
 /// Text of a tolerance, and its path.
 fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str, String)> {
     let path = format!("{}.tolerance", given.at);
@@ -274,16 +244,7 @@ fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str,
             checker.error("text-too-long", path, message);
             None
         }
-        (Some(Value::Text(text)), None) => Some((text, path)),
-        (Some(other), None) => {
-            let message = text!(
-                "{path} must be text, not {given}",
-                path.clone(),
-                other.noun()
-            );
-            checker.error("wrong-type", path, message);
-            None
-        }
+        (Some(given), None) => Some((checker.text(given, &path)?, path)),
         (None, None) => {
             let message = text!(
                 "A tolerance needs its text: one of {forms}",
@@ -304,31 +265,17 @@ fn consequence(
 ) -> Option<ToleranceAction> {
     let action = match given.get("action") {
         None => ToleranceAction::Go,
-        Some(Value::Text(word)) => match ToleranceAction::ALL
-            .into_iter()
-            .find(|(known, _)| known == word)
-        {
-            Some((_, action)) => action,
-            None => {
-                checker.error(
-                    "unknown-value",
-                    path,
-                    text!("The action of a tolerance is go, mark or stop"),
-                );
+        Some(word) => {
+            let word = checker.text(word, path)?;
+            let Some((_, action)) = ToleranceAction::ALL
+                .into_iter()
+                .find(|(known, _)| *known == word)
+            else {
+                let message = text!("The action of a tolerance is go, mark or stop");
+                checker.error("unknown-value", path, message);
                 return None;
-            }
-        },
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                path,
-                text!(
-                    "{path} must be text, not {given}",
-                    path.to_owned(),
-                    other.noun()
-                ),
-            );
-            return None;
+            };
+            action
         }
     };
     let why = match job.form {

@@ -8,7 +8,7 @@ use crate::import::toolpath::{DIALECTS, PROGRAM_POSTS};
 use crate::job::{FORMAT, JobError, PlannedJob};
 #[cfg(target_arch = "wasm32")]
 use crate::job::{Picture, Projection};
-use crate::text::text;
+use crate::text::{text, words};
 
 /// Trigger of a probing move, as a fraction of its length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -98,25 +98,12 @@ impl<'t> RunInputs<'t> {
     pub fn of(value: &'t Value) -> Result<Self, JobError> {
         let mut checker = Checker::default();
         let mut known = RunInputs::default();
-        let entries = match value {
-            Value::Map(entries) => entries.as_slice(),
-            Value::Null => &[],
-            Value::Other("undefined") => &[],
-            other => {
-                checker.error(
-                    "wrong-type",
-                    "",
-                    text!(
-                        "The inputs of a program must be an object, not {given}",
-                        other.noun()
-                    ),
-                );
-                &[]
-            }
-        };
+        checker.whole = words!("the inputs of a program");
+        let given = Some(value).filter(|value| !is_unset(value));
+        let entries = checker.object(given, "").unwrap_or_default();
         for (key, value) in entries {
             match (key.as_str(), value) {
-                (_, Value::Null | Value::Other("undefined")) => {}
+                (_, value) if is_unset(value) => {}
                 ("dialect", Value::Text(name)) if DIALECTS.contains(&name.as_str()) => {
                     known.dialect = DIALECTS.into_iter().find(|dialect| dialect == name);
                 }
@@ -147,28 +134,18 @@ impl<'t> RunInputs<'t> {
                         text!("offsets can only be 0: others are given by their variables, in set"),
                     );
                 }
-                ("set", Value::Map(set)) => known.set = numbers(set, &mut checker),
+                ("set", set) => known.set = numbers(set, &mut checker),
                 ("start", place) => known.start = start(place, &mut checker),
                 ("part", job) if job.get("cycle").is_some() => {
                     known.feature = feature(job, &mut checker)
                 }
-                ("part", Value::Map(_)) => {
+                ("part", value) => {
+                    checker.object(Some(value), "part");
                     known.touch = trip(value.get("at"), "part.at", &mut checker);
                     known.positioning =
                         trip(value.get("positioning"), "part.positioning", &mut checker);
                 }
-                ("files", Value::Map(files)) => known.files = texts(files, &mut checker),
-                ("set" | "part" | "files", other) => {
-                    checker.error(
-                        "wrong-type",
-                        key,
-                        text!(
-                            "{path} must be an object, not {given}",
-                            key.clone(),
-                            other.noun()
-                        ),
-                    );
-                }
+                ("files", files) => known.files = texts(files, &mut checker),
                 _ => {
                     let message = text!("{path} is unknown", printable(key));
                     checker.error("unknown-key", printable(key), message);
@@ -183,6 +160,11 @@ impl<'t> RunInputs<'t> {
             Ok(known)
         }
     }
+}
+
+/// Whether an input is omitted.
+fn is_unset(value: &Value) -> bool {
+    matches!(value, Value::Null | Value::Other("undefined"))
 }
 
 /// The part of a job, which need not give its format.
@@ -232,9 +214,9 @@ fn start(value: &Value, checker: &mut Checker) -> Option<[f64; 3]> {
 }
 
 /// Values of variables by their names.
-fn numbers<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t str, f64)> {
+fn numbers<'t>(given: &'t Value, checker: &mut Checker) -> Vec<(&'t str, f64)> {
     let mut set = Vec::new();
-    for (name, value) in entries {
+    for (name, value) in checker.object(Some(given), "set").unwrap_or_default() {
         let path = format!("set.{}", printable(name));
         match value {
             Value::Number(x) if x.is_finite() && is_variable(name) => set.push((name.trim(), *x)),
@@ -271,20 +253,12 @@ fn is_variable(name: &str) -> bool {
     }
 }
 
-fn texts<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t str, &'t str)> {
+fn texts<'t>(given: &'t Value, checker: &mut Checker) -> Vec<(&'t str, &'t str)> {
+    let entries = checker.object(Some(given), "files").unwrap_or_default();
     let mut files = Vec::new();
     for (name, value) in entries {
-        match value {
-            Value::Text(text) => files.push((name.as_str(), text.as_str())),
-            other => {
-                let message = text!(
-                    "{path} must be a text, not {given}",
-                    printable(name),
-                    other.noun()
-                );
-                checker.error("wrong-type", format!("files.{}", printable(name)), message);
-            }
-        }
+        let text = checker.text(value, &format!("files.{}", printable(name)));
+        files.extend(text.map(|text| (name.as_str(), text)));
     }
     files
 }
