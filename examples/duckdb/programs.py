@@ -3,7 +3,7 @@
     python3 programs.py features.parquet programs [touchpath ...] --parts 16
 
 The table has a row a bore: `name`, `x`, `y`, `diameter`, `depth` (mm) and `post`. Each part is a file of its own, `part-0003-of-0016.parquet`, with the
-name, the program and the findings of each row. A part that is there is not made again: give another table, or another version, a folder of its own. Several
+number of each row in the table (from 0), its name, program and findings. A row is known by its number: names may be missing, or occur twice. A part that is there is not made again: give another table, or another version, a folder of its own. Several
 machines may make parts of one table: --only 3,7,11.
 """
 
@@ -14,22 +14,29 @@ import tempfile
 
 import duckdb
 
-# A job a line: the columns are the keys of a job. The order is that of the names, so that a part is the same whenever it is made.
+# A job a line: the columns are the keys of a job. The order is that of the table, so that a part is the same whenever it is made.
 JOBS = """
 COPY (
-    SELECT 1 AS format, name, {'post': post} AS control,
+    SELECT 1 AS format, coalesce(name, 'ROW_' || file_row_number) AS name, {'post': post} AS control,
            {'type': 'hole', 'origin': [x, y, 0], 'diameter': diameter, 'depth': depth} AS cycle
-    FROM read_parquet($table) WHERE ('0x' || md5(name)[1:8])::UBIGINT %% $parts = $part ORDER BY name
+    FROM read_parquet($table, file_row_number = true) WHERE file_row_number %% $parts = $part ORDER BY file_row_number
 ) TO %s (FORMAT json)
 """
-# The command answers in the order of its lines.
+# The command answers in the order of its lines: their places give the numbers of the rows.
 OUTCOMES = """
 COPY (
-    SELECT (line->>'name') AS name, program, findings
+    SELECT (place - 1) * $parts + $part AS row, (line->>'name') AS name, program, findings
     FROM (SELECT *, row_number() OVER () AS place FROM read_json(%s, columns = {'program': 'VARCHAR', 'findings': 'JSON'}))
     JOIN (SELECT json AS line, row_number() OVER () AS place FROM read_ndjson_objects(%s)) USING (place)
     ORDER BY place
 ) TO %s (FORMAT parquet, COMPRESSION zstd)
+"""
+
+
+# Rows of the table in this part, and rows that were made.
+COUNTS = """
+SELECT (SELECT count(*) FROM read_parquet($table, file_row_number = true) WHERE file_row_number %% $parts = $part),
+       (SELECT count(*) FROM read_parquet(%s))
 """
 
 
@@ -46,13 +53,17 @@ def make(table: str, out: str, part: int, parts: int, command: list[str]) -> Non
         jobs, outcomes, made = (os.path.join(folder, name) for name in ("jobs.ndjson", "outcomes.ndjson", "made.parquet"))
         # One thread keeps the order of the lines.
         database = duckdb.connect(config={"threads": 1})
-        database.execute(JOBS % quoted(jobs), {"table": table, "parts": parts, "part": part})
+        of = {"table": table, "parts": parts, "part": part}
+        database.execute(JOBS % quoted(jobs), of)
         with open(jobs) as given, open(outcomes, "w") as answered:
             done = subprocess.run([*command, "plan", "-", "--ndjson"], stdin=given, stdout=answered)
         # 1: a job has errors, which its line says.
         if done.returncode not in (0, 1):
             raise SystemExit(done.returncode)
-        database.execute(OUTCOMES % (quoted(outcomes), quoted(jobs), quoted(made)))
+        database.execute(OUTCOMES % (quoted(outcomes), quoted(jobs), quoted(made)), {"parts": parts, "part": part})
+        wanted, found = database.execute(COUNTS % quoted(made), of).fetchone()
+        if wanted != found:
+            raise SystemExit(f"part {part}: {found} of {wanted} rows have an outcome")
         os.rename(made, target)
 
 

@@ -221,7 +221,8 @@ test("a table of features in DuckDB gets a program a row, part by part", {
     assert.equal(ran.status, 0, ran.stderr);
     return JSON.parse(ran.stdout);
   };
-  sql(`COPY (SELECT 'BORE_' || i AS name, i * 0.5 AS x, 3.0 AS y, CASE i WHEN 7 THEN -1 ELSE 20 + i END AS diameter, 8.0 AS depth,
+  // Row 3 has no name, rows 5 and 6 have the same.
+  sql(`COPY (SELECT CASE WHEN i = 3 THEN NULL WHEN i IN (5, 6) THEN 'DUP' ELSE 'BORE_' || i END AS name, i * 0.5 AS x, 3.0 AS y, CASE i WHEN 7 THEN -1 ELSE 20 + i END AS diameter, 8.0 AS depth,
     ['linuxcnc', 'haas'][1 + i % 2] AS post FROM range(40) t(i)) TO 'bores.parquet'`);
   const make = (/** @type {string[]} */ ...args) =>
     spawnSync(
@@ -237,10 +238,17 @@ test("a table of features in DuckDB gets a program a row, part by part", {
   assert.match(first.stdout, /^part 2 of 3\n$/);
   assert.equal(make().status, 0);
   const rows = sql(
-    `SELECT name, program, findings FROM 'it''s/*.parquet' ORDER BY name`,
+    `SELECT row, name, program, findings FROM 'it''s/*.parquet' ORDER BY row`,
   );
-  assert.equal(rows.length, 40);
-  for (const [name, program, findings] of rows) {
+  assert.deepEqual(
+    rows.map(([row]) => row),
+    Array.from({ length: 40 }, (_, row) => row),
+  );
+  assert.deepEqual(
+    [3, 5, 6].map((row) => rows[row]?.[1]),
+    ["ROW_3", "DUP", "DUP"],
+  );
+  for (const [, name, program, findings] of rows) {
     if (name === "BORE_7")
       assert.deepEqual(
         [program, JSON.parse(findings)[0].path],
