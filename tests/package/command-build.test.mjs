@@ -83,12 +83,7 @@ test("annotations for GitHub, at the file and the line", () => {
     join(folder, "a,b%.json"),
     '{ "format": 1,\n"cycle": { "type": "hole" },\n"name": 5 }',
   );
-  const { status, stdout } = run([
-    "check",
-    "a,b%.json",
-    "--reporter",
-    "github",
-  ]);
+  const { status, stdout } = run(["check", "a,b%.json", "--format", "github"]);
   assert.equal(status, 1);
   const [first] = stdout
     .split("\n")
@@ -105,17 +100,17 @@ test("annotations for GitHub, at the file and the line", () => {
       ),
   );
   const rows = run(
-    ["check", "-", "--reporter", "github", "--ndjson"],
+    ["check", "-", "--format", "github", "--ndjson"],
     `${JSON.stringify(touchpath.defaultJob("hole"))}\n{}\n`,
   );
   assert.match(rows.stdout, /^::error line=2,title=missing::/m);
   writeFileSync(join(folder, "l.ndjson"), "{}\n");
   assert.match(
-    run(["check", "l.ndjson", "--reporter", "github"]).stdout,
+    run(["check", "l.ndjson", "--format", "github"]).stdout,
     /^::error file=l\.ndjson,line=1,title=missing::/m,
   );
   assert.equal(
-    run(["check", "a,b%.json", "--reporter", "github", "--json"]).status,
+    run(["check", "a,b%.json", "--format", "github", "--json"]).status,
     2,
   );
   writeFileSync(
@@ -131,19 +126,45 @@ test("annotations for GitHub, at the file and the line", () => {
   const good = touchpath.plan(touchpath.defaultJob("hole")).program.text;
   writeFileSync(join(folder, "good.ngc"), good);
   writeFileSync(join(folder, "bad.ngc"), good.replace("F150", "F151"));
-  const verified = run([
-    "verify",
-    "good.ngc",
-    "bad.ngc",
-    "--reporter",
-    "github",
-  ]);
+  const verified = run(["verify", "good.ngc", "bad.ngc", "--format", "github"]);
   assert.equal(verified.status, 1);
   assert.match(
     verified.stdout,
     /^::error file=bad\.ngc,line=\d+::bad\.ngc.*%0A.*F151%0A/m,
   );
   assert.ok(!/^::(error|warning) file=good/m.test(verified.stdout));
+});
+
+test("check writes a SARIF log, with line and column", () => {
+  writeFileSync(
+    join(folder, "sarif.json"),
+    '{ "format": 1,\n"cycle": { "type": "hole", "diamter": 30 } }',
+  );
+  const { status, stdout } = run(["check", "sarif.json", "--format", "sarif"]);
+  assert.equal(status, 1);
+  const [{ results, tool }] = JSON.parse(stdout).runs;
+  const [first] = results;
+  assert.equal(first.ruleId, "unknown-key");
+  assert.match(first.message.text, /Did you mean "diameter"\?$/);
+  assert.deepEqual(first.locations[0].physicalLocation, {
+    artifactLocation: { uri: "sarif.json" },
+    region: { startLine: 2, startColumn: 28 },
+  });
+  assert.ok(
+    tool.driver.rules.some(
+      (/** @type {any} */ rule) => rule.id === first.ruleId,
+    ),
+  );
+  // The former name of --format.
+  assert.equal(
+    run(["check", "sarif.json", "--reporter", "sarif"]).stdout,
+    stdout,
+  );
+  assert.equal(
+    run(["check", "sarif.json", "--reporter", "text", "--format", "text"])
+      .status,
+    2,
+  );
 });
 
 test("a report for JUnit: a case a job, hostile text and all", async () => {
@@ -160,7 +181,7 @@ test("a report for JUnit: a case a job, hostile text and all", async () => {
       "good.json",
       "wrong.json",
       "warned.json",
-      "--reporter",
+      "--format",
       "junit",
       ...more,
     ]);
@@ -188,9 +209,9 @@ test("a report for JUnit: a case a job, hostile text and all", async () => {
     ran("--deny-warnings").stdout,
     /<testsuites tests="3" failures="2">/,
   );
-  assert.equal(run(["check", "good.json", "--reporter", "junit"]).status, 0);
-  assert.equal(run(["check", "good.json", "--reporter", "tap"]).status, 2);
-  assert.equal(run(["plan", "good.json", "--reporter", "junit"]).status, 2);
+  assert.equal(run(["check", "good.json", "--format", "junit"]).status, 0);
+  assert.equal(run(["check", "good.json", "--format", "tap"]).status, 2);
+  assert.equal(run(["plan", "good.json", "--format", "junit"]).status, 2);
 });
 
 test("a finding of a job in one line says its column: 12 characters stand before it", () => {

@@ -380,7 +380,9 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   assert.deepEqual(readFileSync(join(folder, "made/manifest.json")), before);
   rmSync(join(folder, "made/shop/E.ngc"));
   rmSync(join(folder, "made/shop/F.ngc"));
+  // A folder with a list is compared with it in any case.
   const good = run(["verify", "made", "--manifest"]);
+  assert.equal(run(["verify", "made"]).stdout, good.stdout);
   assert.deepEqual(
     [good.status, good.stdout.trimEnd().split("\n").length],
     [0, 4],

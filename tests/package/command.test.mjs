@@ -103,10 +103,10 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", name, "--colour"], /--colour/],
     [["plan", name, "--post", "mazatrol"], /--post is one of linuxcnc/],
     [["plan", name, "--form", "dance"], /--form is one of/],
-    [["table", name, "--format", "xml"], /--format is one of csv/],
+    [["table", name, "--format", "xml"], /--format is one of text, csv/],
     [
       ["plan", name, "--format", "csv"],
-      /--format is for table, moves, examine, verify, evaluate/,
+      /--format is for check, table, moves, examine, verify, evaluate/,
     ],
     [["check", name, "--view", "top"], /--view is for svg/],
     [["plan", name, other], /need a folder/],
@@ -213,7 +213,7 @@ test("moves: a text without any fails, many go into a folder, and more is read t
   ]);
   assert.match(
     run(["moves", "a.nc", "--format", "xml"]).stderr,
-    /csv, json, text/,
+    /text, csv, json/,
   );
   assert.match(
     run(["moves", "a.nc", "--post", "abacus"]).stderr,
@@ -379,4 +379,31 @@ test("verify: programs still are those of the jobs in their headers, or the line
     ["changed", [{ line: touch + 2, is: "M5", wanted: null }]],
   );
   assert.equal(run(["verify", join(folder, "nothing-there")]).status, 2);
+});
+
+test("verify listed 47 lines where two were edited: the first and the last touch", () => {
+  const own = /** @type {any} */ (job("hole"));
+  own.control = { post: "haas" };
+  const text = touchpath.program(own).text.split("\n");
+  const touches = text.flatMap((line, i) =>
+    /^G31 .*F150\./.test(line) ? [i] : [],
+  );
+  const [first = 0, last = 0] = [touches[0], touches.at(-1)];
+  assert.ok(last - first > 10);
+  for (const i of [first, last])
+    text[i] = String(text[i]).replace("F150.", "F1500.");
+  // A line that is missing, and one that was added, far from them.
+  const gone = text.findIndex((line) => /^M9$/.test(line));
+  const name = file("two.nc", text.filter((_, i) => i !== gone).join("\n"));
+  const { stdout, status } = run(["verify", name, "--format", "json"]);
+  assert.equal(status, 1);
+  const { said, lines } = JSON.parse(stdout);
+  assert.equal(said, "3 lines differ from its job's program");
+  assert.deepEqual(
+    lines.map((/** @type {any} */ one) => one.line),
+    [gone + 1, first, last],
+  );
+  assert.deepEqual(lines[0], { line: gone + 1, is: null, wanted: "M9" });
+  assert.equal(lines[2].is, text[last]);
+  assert.equal(lines[2].wanted, String(text[last]).replace("F1500.", "F150."));
 });

@@ -293,6 +293,100 @@ test("an answer is known again by its tag: 304 without a plan, 412 to a POST", a
   assert.deepEqual(await end(), [0, true]);
 });
 
+test("under a path with version and rules an answer is kept for ever, and another version is refused", async () => {
+  const { address, end } = await service("--no-config");
+  const query = `?job=${encodeURIComponent(JSON.stringify(HOLE))}`;
+  const health = await (await fetch(`${address}/health`)).json();
+  assert.equal(health.path, `/v/${version()}`);
+  const kept = await fetch(`${address}${health.path}/program${query}`);
+  assert.equal(await kept.text(), program(HOLE).text);
+  assert.equal(
+    kept.headers.get("cache-control"),
+    "public, max-age=31536000, immutable",
+  );
+  const plain = await fetch(`${address}/program${query}`);
+  assert.equal(plain.headers.get("cache-control"), "no-cache");
+  const other = await fetch(`${address}/v/0.0.1/program${query}`);
+  assert.equal(other.status, 404);
+  assert.match((await other.json()).error, /this service answers at \/v\//);
+  const bad = await fetch(`${address}${health.path}/program?job={}`);
+  assert.deepEqual(
+    [bad.status, bad.headers.get("cache-control")],
+    [422, "no-cache"],
+  );
+  await end();
+  // Other rules are another path.
+  const folder = mkdtempSync(join(tmpdir(), "touchpath-edition-"));
+  const file = join(folder, "shop.json");
+  writeFileSync(file, '{"format":1,"title":"Shop"}');
+  const ruled = await service("--config", file);
+  const { path } = await (await fetch(`${ruled.address}/health`)).json();
+  assert.match(path, new RegExp(`^/v/${version()}-[0-9a-f]{12}$`));
+  await ruled.end();
+  rmSync(folder, { recursive: true });
+});
+
+test("pages of named origins may read the answers, and a function of the user's decides who is answered", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "touchpath-authorize-"));
+  const file = join(folder, "who.mjs");
+  writeFileSync(
+    file,
+    'export default ({ method, path, headers }) => headers.authorization === "Bearer secret" && method === "POST" && path === "/program";',
+  );
+  const { address, end } = await service(
+    "--no-config",
+    "--origin",
+    "https://portal.example",
+    "--authorize",
+    file,
+  );
+  const ask = (
+    /** @type {Record<string, string>} */ headers,
+    path = "/program",
+  ) =>
+    fetch(`${address}${path}`, {
+      method: "POST",
+      headers: { "content-type": "application/json", ...headers },
+      body: JSON.stringify(HOLE),
+    });
+  const origin = "https://portal.example";
+  const good = await ask({ authorization: "Bearer secret", origin });
+  assert.equal(good.status, 200);
+  assert.equal(good.headers.get("access-control-allow-origin"), origin);
+  const stranger = await ask({
+    authorization: "Bearer secret",
+    origin: "https://evil.example",
+  });
+  assert.equal(stranger.headers.get("access-control-allow-origin"), null);
+  const nobody = await ask({ origin });
+  assert.equal(nobody.status, 401);
+  assert.match((await nobody.json()).error, /not authorised/);
+  assert.equal(
+    nobody.headers.get("access-control-allow-origin"),
+    origin,
+    "the page can read why",
+  );
+  assert.equal(
+    (await ask({ authorization: "Bearer secret" }, "/plan")).status,
+    401,
+  );
+  // The browser asks before it sends a job.
+  const before = await fetch(`${address}/program`, {
+    method: "OPTIONS",
+    headers: { origin, "access-control-request-method": "POST" },
+  });
+  assert.equal(before.status, 204);
+  assert.equal((await fetch(`${address}/health`)).status, 200);
+  await end();
+  for (const options of [
+    ["--origin", "portal.example"],
+    ["--origin", "https://portal.example/path"],
+    ["--authorize", join(folder, "missing.mjs")],
+  ])
+    await assert.rejects(service("--no-config", ...options), /ended with 2/);
+  rmSync(folder, { recursive: true });
+});
+
 test("it describes itself, and what it answers is as described", async () => {
   const { address, end } = await service("--jobs", "1");
   const api = await (await fetch(`${address}/openapi.json`)).json();
@@ -342,12 +436,16 @@ test("it describes itself, and what it answers is as described", async () => {
         `${path}: ${answer.text.slice(0, 200)}`,
       );
     }
-    if (methods.get && !methods.post)
-      assert.equal((await fetch(address + path)).status, 200, path);
+    if (methods.get && !methods.post) {
+      const own = path.replace("{edition}", version());
+      const query = own === path ? "" : `?job=${JSON.stringify(example)}`;
+      assert.equal((await fetch(address + own + query)).status, 200, path);
+    }
   }
   assert.deepEqual(await (await fetch(`${address}/health`)).json(), {
     good: true,
     version: version(),
+    path: `/v/${version()}`,
   });
   assert.deepEqual(await end(), [0, true]);
 });

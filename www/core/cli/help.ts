@@ -6,7 +6,7 @@ import { LIMITS } from "./limits.js";
 /** Commands with their arguments, output and formats. */
 const COMMANDS = {
   plan: ["JOB…", "the program of every job"],
-  check: ["JOB…", "errors, warnings and notes"],
+  check: ["JOB…", "errors, warnings and notes", "text|json|github|junit|sarif"],
   table: ["JOB…", "the parameter table", "text|csv|json"],
   svg: ["JOB…", "the picture"],
   import: ["TEXT…", "a job from a dump or a program"],
@@ -19,7 +19,7 @@ const COMMANDS = {
   verify: [
     "PROGRAM…",
     "check that programs, or all in a folder, match the jobs in their headers",
-    "text|json",
+    "text|json|github|junit",
   ],
   evaluate: [
     "JOB MEASURED",
@@ -51,6 +51,12 @@ const COMMANDS = {
 } as const satisfies Record<string, readonly [string, string, string?]>;
 export type Command = keyof typeof COMMANDS;
 export const NAMES = Object.keys(COMMANDS) as Command[];
+
+/** Formats of a command's output. */
+export function formatsOf(command: Command): string[] {
+  const [, , formats]: readonly [string, string, string?] = COMMANDS[command];
+  return formats?.split("|") ?? [];
+}
 
 /** Commands that take jobs, and those that take programs. */
 export const JOBS = ["plan", "check", "table", "svg", "evaluate", "report"];
@@ -129,7 +135,7 @@ const HELP_OF_OPTIONS: readonly (readonly [
   ],
   [
     "--manifest",
-    "plan -o: lists the files in manifest.json there, each with its job and their hashes; verify DIR: holds the folder against that list",
+    "plan -o: lists the files in manifest.json there, each with its job and their hashes; verify DIR compares the folder with that list, if there is one",
     ["plan", "verify"],
   ],
   [
@@ -159,9 +165,14 @@ const HELP_OF_OPTIONS: readonly (readonly [
     ["serve"],
   ],
   [
-    "--reporter R",
-    "text, github (annotations) or junit, for a build",
-    ["check", "verify"],
+    "--origin URL",
+    "pages of this origin may read the answers, as https://portal.example; * for all; repeatable",
+    ["serve"],
+  ],
+  [
+    "--authorize FILE",
+    "a module whose default function says by method, path and headers whether a request is answered",
+    ["serve"],
   ],
   [
     "--deny-warnings",
@@ -230,8 +241,8 @@ export function completed(): Parameters<typeof completion>[1] {
       [...typed.matchAll(/(?<=^|, )--?[a-z-]+/g)].map(([flag]) => flag),
     );
   const formats = NAMES.flatMap((name) => {
-    const [, , list]: readonly [string, string, string?] = COMMANDS[name];
-    return list ? [[name, list.split("|")] as const] : [];
+    const list = formatsOf(name);
+    return list.length > 0 ? [[name, list] as const] : [];
   });
   const withFormat = (name: Command) =>
     formats.some(([own]) => own === name) ? ["--format"] : [];
@@ -249,12 +260,10 @@ export function completed(): Parameters<typeof completion>[1] {
       "--form": FORMS,
       "--units": UNITS,
       "--view": VIEWS,
-      "--reporter": REPORTERS,
     },
   };
 }
 
 export const FORMS = ["moves", "cycle"];
 export const UNITS = ["mm", "inch"];
-export const REPORTERS = ["text", "github", "junit"];
 export const VIEWS = ["isometric", "top", "front", "side"] as const;

@@ -57,6 +57,14 @@ export function manifestOf(
   return `${JSON.stringify(list, null, 2)}\n`;
 }
 
+/** Whether a folder has a manifest of this command: another file of that name is no list of programs. */
+export async function hasList(folder: string): Promise<boolean> {
+  return listOf(folder).then(
+    () => true,
+    () => false,
+  );
+}
+
 /** Reads the manifest of a folder. */
 async function listOf(folder: string): Promise<Listed[]> {
   const path = join(folder, MANIFEST);

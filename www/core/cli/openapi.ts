@@ -9,6 +9,13 @@ const JOB = {
   control: { post: "haas" },
 };
 
+const EDITION = {
+  name: "edition",
+  in: "path",
+  required: true,
+  schema: { type: "string" },
+};
+
 const named = (name: string) => ({ $ref: `#/components/schemas/${name}` });
 const text = { type: "string" };
 const object = (
@@ -30,6 +37,7 @@ const answer = (description: string, type: string, schema: object) => ({
 /** Possible errors of a request. */
 const FAULTS: readonly [string, string][] = [
   ["400", "The body is no JSON, or the query says what there is not"],
+  ["401", "The service's authorisation refuses the request"],
   ["412", "The answer is the one whose ETag If-None-Match says"],
   ["413", "The body is too long"],
   ["415", "The body is of another content type"],
@@ -130,6 +138,15 @@ export function openapi(
       },
     };
     paths[route.path] = { post, ...(route.takes === "job" ? { get } : {}) };
+    if (route.takes === "job")
+      paths[`/v/{edition}${route.path}`] = {
+        get: {
+          ...get,
+          operationId: `${route.id}For`,
+          summary: `${get.summary}, under an address whose answer never changes: /health names the edition`,
+          parameters: [EDITION, ...get.parameters],
+        },
+      };
   }
   const lines = "application/x-ndjson";
   const ndjson = answer(
@@ -159,7 +176,7 @@ export function openapi(
       "/health",
       "health",
       "Whether the service lives",
-      object({ good: { type: "boolean" }, version: text }),
+      object({ good: { type: "boolean" }, version: text, path: text }),
     ],
     [
       "/ready",

@@ -4,7 +4,7 @@ import { catalog, type ProgramKnown } from "../node.js";
 import { PROGRAM_POSTS } from "../program-posts.js";
 import { meant } from "./about.js";
 import { Refused } from "./folder.js";
-import { FORMS, JOBS, REPORTERS, VIEWS } from "./help.js";
+import { FORMS, formatsOf, JOBS, NAMES, VIEWS } from "./help.js";
 import type { Task } from "./tasks.js";
 
 export const OPTIONS = {
@@ -35,6 +35,8 @@ export const OPTIONS = {
   port: { type: "string" },
   host: { type: "string" },
   limit: { type: "string", multiple: true },
+  origin: { type: "string", multiple: true },
+  authorize: { type: "string" },
   "deny-warnings": { type: "boolean" },
   help: { type: "boolean", short: "h" },
   version: { type: "boolean", short: "V" },
@@ -72,7 +74,24 @@ export function taskOf(command: Task["command"], values: Values): Task {
   if (values.manifest && command === "plan" && values.out === undefined)
     throw new Refused("--manifest is for programs in a folder (-o)");
   task.hashes = values.manifest === true && command === "plan";
-  only("format", "table", "moves", "examine", "verify", "evaluate", "report");
+  only("reporter", "check", "verify");
+  if (values.reporter !== undefined && values.format !== undefined)
+    throw new Refused("--reporter is the former name of --format");
+  const format = values.format ?? values.reporter;
+  if (format !== undefined) {
+    const formats = formatsOf(command);
+    if (formats.length === 0) {
+      const others = NAMES.filter((name) => formatsOf(name).length > 0);
+      throw new Refused(`--format is for ${others.join(", ")}`);
+    }
+    task.format = oneOf(
+      "--format",
+      format,
+      formats as NonNullable<Task["format"]>[],
+    );
+    if (values.json && format !== "json")
+      throw new Refused("--format and --json are two forms of one output");
+  }
   for (const option of ["by", "machine", "when", "note"] as const)
     only(option, "report");
   for (const option of [
@@ -89,13 +108,14 @@ export function taskOf(command: Task["command"], values: Values): Task {
   only("form", ...JOBS);
   only("config", ...JOBS);
   only("no-config", ...JOBS);
-  only("reporter", "check", "verify");
-  if (values.reporter !== undefined && values.json)
-    throw new Refused("--reporter and --json are two forms of one output");
-  if (values.reporter !== undefined)
-    oneOf("--reporter", values.reporter, REPORTERS);
   only("units", "new", "convert");
-  for (const option of ["port", "host", "limit"] as const)
+  for (const option of [
+    "port",
+    "host",
+    "limit",
+    "origin",
+    "authorize",
+  ] as const)
     only(option, "serve");
   const ofPrograms = command === "moves" || command === "examine";
   if (values.post !== undefined && !ofPrograms)
@@ -108,18 +128,6 @@ export function taskOf(command: Task["command"], values: Values): Task {
     task.form = oneOf("--form", values.form, FORMS);
   if (values.view !== undefined)
     task.view = oneOf("--view", values.view, VIEWS);
-  if (values.format !== undefined)
-    task.format = oneOf<NonNullable<Task["format"]>>(
-      "--format",
-      values.format,
-      command === "table" || command === "moves"
-        ? ["csv", "json", "text"]
-        : command === "examine"
-          ? ["json", "sarif", "text"]
-          : command === "report"
-            ? ["csv", "html", "json"]
-            : ["json", "text"],
-    );
   if (
     command === "examine" ||
     values.set ||

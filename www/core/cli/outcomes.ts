@@ -5,7 +5,7 @@ import type { Folder } from "./folder.js";
 import { LIST, manifestOf } from "./manifest.js";
 import type { Values } from "./options.js";
 import type { Progress } from "./progress.js";
-import { github, junit } from "./reporters.js";
+import { github, junit, sarifResults } from "./reporters.js";
 import type { Outcome, PlacedFinding, Task } from "./tasks.js";
 
 /** Writes and waits for a slow reader. */
@@ -60,7 +60,7 @@ async function report(
   const to = task.command === "check" ? process.stdout : process.stderr;
   // A whole plan contains its findings.
   if (task.command === "plan" && task.whole && output) return;
-  if (values.json) {
+  if (values.json || task.format === "json") {
     if (task.command === "check" || findings.length > 0)
       await write(to, `${JSON.stringify({ source, findings })}\n`);
     return;
@@ -93,17 +93,18 @@ export async function handOut(
   for await (const outcome of outcomes) {
     failed ||= outcome.failed || isDenied(values, outcome);
     progress.count();
-    if (values.reporter === "junit") {
+    if (task.format === "junit") {
       reported.push(outcome);
       continue;
     }
-    if (values.reporter === "github") {
+    if (task.format === "github") {
       progress.clear();
       await write(process.stdout, github(outcome));
       continue;
     }
-    if (task.format === "sarif" && outcome.output) {
-      results.push(outcome.output.text);
+    if (task.format === "sarif") {
+      // A run of a program has its results as text.
+      results.push(outcome.output?.text ?? sarifResults(outcome));
       continue;
     }
     // Each output starts on a new line.
@@ -130,7 +131,7 @@ export async function handOut(
       await report(task, values, outcome);
   }
   if (task.format === "sarif") await write(process.stdout, sarif(results));
-  if (values.reporter === "junit")
+  if (task.format === "junit")
     await write(
       process.stdout,
       junit(task.command, reported, values["deny-warnings"] === true),

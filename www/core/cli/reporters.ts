@@ -83,3 +83,32 @@ export function junit(
   const counts = `tests="${outcomes.length}" failures="${failures}"`;
   return `<?xml version="1.0" encoding="UTF-8"?>\n<testsuites ${counts}>\n  <testsuite name="touchpath ${command}" ${counts}>\n${cases.join("")}  </testsuite>\n</testsuites>\n`;
 }
+
+/** The SARIF results of the findings of one job, as a JSON list. */
+export function sarifResults({ source, row, findings }: Outcome): string {
+  const file =
+    row === undefined ? source : source.replace(new RegExp(`:${row}$`), "");
+  const levels = { ...LEVELS, info: "note" };
+  return JSON.stringify(
+    findings.map((finding) => {
+      const { level, code, line = row, column } = finding;
+      const region = {
+        startLine: line,
+        ...(column === undefined ? {} : { startColumn: column }),
+      };
+      return {
+        ruleId: code,
+        level: levels[level],
+        message: { text: saidOf(finding) },
+        locations: [
+          {
+            physicalLocation: {
+              artifactLocation: { uri: file.replaceAll("\\", "/") },
+              ...(line === undefined ? {} : { region }),
+            },
+          },
+        ],
+      };
+    }),
+  );
+}

@@ -8,6 +8,7 @@ import { Readable } from "node:stream";
 import { fileURLToPath } from "node:url";
 import { createAdaptorServer, type HttpBindings } from "@hono/node-server";
 import { type Context, Hono } from "hono";
+import { cors } from "hono/cors";
 import { HTTPException } from "hono/http-exception";
 import { requestId } from "hono/request-id";
 import { type Config, catalog, jobSchema, version } from "../node.js";
@@ -26,7 +27,23 @@ interface Settings {
   threads: number;
   limits: Limits;
   config?: Config | undefined;
+  /** Origins whose pages may read the answers; `*` is any. */
+  origins?: string[];
+  /** Decides about each request, except those of `UNGUARDED`. */
+  authorize?: Authorize | undefined;
 }
+
+/** Whether a request is answered; otherwise it gets the status 401. */
+export type Authorize = (request: {
+  method: string;
+  path: string;
+  headers: Record<string, string>;
+}) => boolean | Promise<boolean>;
+
+/** Paths that a probe or a monitor asks for without a name. */
+const UNGUARDED = ["/health", "/ready", "/metrics"];
+/** Lifetime of an answer under an address that contains version and config. */
+const FOR_EVER = "public, max-age=31536000, immutable";
 
 /** Content types of the table formats. */
 const FORMATS: Record<string, string> = {
@@ -39,7 +56,7 @@ type Env = { Bindings: HttpBindings };
 
 /** A refusal: status and reason. */
 const refused = (
-  status: 400 | 404 | 412 | 413 | 415 | 503 | 504,
+  status: 400 | 401 | 404 | 412 | 413 | 415 | 503 | 504,
   message: string,
 ) => new HTTPException(status, { message });
 
@@ -211,11 +228,17 @@ export class Service {
   private closing = false;
   private ready = false;
   private readonly salt: string;
+  /** Version of the answers: of the package, and of the config if there is one. */
+  private readonly edition: string;
   private server!: Server;
 
   constructor(private readonly settings: Settings) {
     this.crew = new Crew(settings.threads, settings.limits.wait);
     this.salt = JSON.stringify([version(), settings.config ?? null]);
+    const hash = createHash("sha256").update(this.salt).digest("hex");
+    this.edition = settings.config
+      ? `${version()}-${hash.slice(0, 12)}`
+      : version();
     this.routes();
   }
 
@@ -287,6 +310,26 @@ export class Service {
         (performance.now() - begin) / 1000,
       );
     });
+    const { origins = [], authorize } = settings;
+    if (origins.length > 0)
+      app.use(
+        cors({
+          origin: origins.includes("*") ? "*" : origins,
+          allowHeaders: ["authorization", "content-type", "if-none-match"],
+          exposeHeaders: ["etag", "x-request-id"],
+        }),
+      );
+    if (authorize)
+      app.use(async (c, next) => {
+        const { method, path } = c.req;
+        const headers = c.req.header();
+        if (
+          !UNGUARDED.includes(path) &&
+          (await authorize({ method, path, headers })) !== true
+        )
+          throw refused(401, "this request is not authorised");
+        await next();
+      });
     app.onError((error, c) => {
       const status = error instanceof HTTPException ? error.status : 500;
       if (status === 500)
@@ -331,13 +374,22 @@ export class Service {
         return this.answer(c, route, text);
       });
       // A job in the address allows caches in between to keep the answer.
-      if (route.takes === "job")
-        app.get(route.path, async (c) => {
+      if (route.takes === "job") {
+        const read = (c: Context<Env>, lifetime: string) => {
           const job = c.req.query("job");
           if (job === undefined)
             throw refused(400, "the query has no job: ?job=, as JSON");
-          return this.answer(c, route, job);
+          return this.answer(c, route, job, lifetime);
+        };
+        // A cached answer is revalidated, which costs no plan.
+        app.get(route.path, (c) => read(c, "no-cache"));
+        // An address with the version always has the same answer.
+        app.get(`/v/:edition${route.path}`, (c) => {
+          if (c.req.param("edition") !== this.edition)
+            throw refused(404, `this service answers at /v/${this.edition}`);
+          return read(c, FOR_EVER);
         });
+      }
       this.others(
         route.path,
         route.takes === "job" ? "GET, HEAD, POST" : "POST",
@@ -360,7 +412,9 @@ export class Service {
       });
       this.others(path, "GET, HEAD");
     }
-    app.get("/health", (c) => c.json({ good: true, version: version() }));
+    app.get("/health", (c) =>
+      c.json({ good: true, version: version(), path: `/v/${this.edition}` }),
+    );
     app.get("/ready", (c) => {
       const good = this.ready && !this.closing;
       return c.json({ good }, good ? 200 : 503);
@@ -412,6 +466,7 @@ export class Service {
     c: Context<Env>,
     route: Route,
     body: string,
+    lifetime = "",
   ): Promise<Response> {
     const [word = "", forms = []] = route.query ?? [];
     const form = word === "" ? undefined : c.req.query(word);
@@ -419,10 +474,10 @@ export class Service {
       throw refused(400, `${word} is one of ${forms.join(", ")}`);
     const { task, text } = asked(route, body);
     const tag = this.tag(`${route.path} ${form ?? ""}`, body);
-    const reads = c.req.method !== "POST";
+    const reads = lifetime !== "";
     if (isKnown(c.req.header("if-none-match"), tag))
       return reads
-        ? c.body(null, 304, { etag: tag })
+        ? c.body(null, 304, { etag: tag, "cache-control": lifetime })
         : c.json({ error: "the answer is the one that you have" }, 412, {
             etag: tag,
           });
@@ -430,6 +485,7 @@ export class Service {
     const { config } = this.settings;
     const own: Task = {
       ...task,
+      outputOnly: true,
       ...(config ? { config } : {}),
       ...(form === undefined ? {} : { [word]: form }),
     };
@@ -441,8 +497,7 @@ export class Service {
     const isGood = outcome.output !== null || route.task.command === "check";
     // A failed answer gets no tag, so it is planned again.
     if (isGood) c.header("etag", tag);
-    // A cached answer is revalidated, which costs no plan.
-    if (reads) c.header("cache-control", "no-cache");
+    if (reads) c.header("cache-control", isGood ? lifetime : "no-cache");
     if (route.task.command === "check") return c.json(outcome.findings);
     if (!outcome.output) {
       const [first] = outcome.findings.filter(({ level }) => level === "error");

@@ -19,6 +19,7 @@ import {
   type ProgramMoves,
   type Programmed,
   plan,
+  program,
   programs,
   type ResultRow,
   readProgram,
@@ -55,13 +56,15 @@ export interface Task {
   form?: string;
   /** Whether the output is the whole plan as JSON. */
   whole?: boolean;
+  /** Whether a job without errors needs no findings. */
+  outputOnly?: boolean;
   /** Whether findings have a position in the text of the job. */
   places?: boolean;
   /** Whether the outcome has the hash of the job's text. */
   hashes?: boolean;
   /** Config that fills in and judges the jobs. */
   config?: Config;
-  format?: "csv" | "html" | "json" | "text" | "sarif";
+  format?: "csv" | "github" | "html" | "json" | "junit" | "sarif" | "text";
   view?: "top" | "front" | "side" | "isometric";
   /** Measurements of a machine, as text. */
   points?: string;
@@ -274,19 +277,25 @@ function made(
     };
   }
   if (task.command === "plan") {
+    if (task.outputOnly) {
+      const { extension, text } = program(job);
+      return { ending: `.${extension}`, out: text, findings: [] };
+    }
     // Program and findings of the same plan.
-    const { program, findings } = programs([job]).next().value as Programmed;
-    if (!program) throw new JobError("", findings);
-    return { ending: `.${program.extension}`, out: program.text, findings };
+    const { program: made, findings } = programs([job]).next()
+      .value as Programmed;
+    if (!made) throw new JobError("", findings);
+    return { ending: `.${made.extension}`, out: made.text, findings };
   }
+  const found = () => (task.outputOnly ? [] : check(job));
   if (task.command === "svg")
-    return { ending: ".svg", out: svg(job, task.view), findings: check(job) };
+    return { ending: ".svg", out: svg(job, task.view), findings: found() };
   if (task.command === "table") {
     const format = (task.format ?? "text") as "csv" | "json" | "text";
     return {
       ending: `-parameters.${format === "text" ? "txt" : format}`,
       out: exportTable(job, format),
-      findings: check(job),
+      findings: found(),
     };
   }
   if (task.command === "report") return reported(task, job);

@@ -2,7 +2,8 @@
 // The command: jobs in; programs, tables, pictures and findings out. Exit codes: 0 good, 1 findings, 2 wrong use or an error of the system.
 import { stat } from "node:fs/promises";
 import { availableParallelism, constants } from "node:os";
-import { basename } from "node:path";
+import { basename, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { catalog, jobSchema, version } from "../node.js";
 import { clock } from "../report.js";
@@ -12,7 +13,7 @@ import { Folder, fileAt, Refused } from "./folder.js";
 import { type Command, completed, FORMS, help, JOBS, NAMES } from "./help.js";
 import { configFor, filesOf, isLines, itemsOf, textOf } from "./inputs.js";
 import { LIMITS } from "./limits.js";
-import { heldAgainst } from "./manifest.js";
+import { hasList, heldAgainst } from "./manifest.js";
 import {
   countOf,
   OPTIONS,
@@ -24,6 +25,7 @@ import {
 import { fileAway, handOut, write } from "./outcomes.js";
 import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
+import type { Authorize } from "./serve.js";
 import type { Task } from "./tasks.js";
 
 async function main(args: string[]): Promise<number> {
@@ -154,13 +156,15 @@ async function run(
   }
   if (names.length === 0)
     throw new Refused(`${command} takes files; - is the standard input`);
-  if (command === "verify" && values.manifest) {
-    const [folder] = names;
-    if (
-      names.length !== 1 ||
-      !folder ||
-      !(await stat(folder).catch(() => null))?.isDirectory()
-    )
+  const [folder = ""] = names;
+  const isFolder =
+    names.length === 1 &&
+    (await stat(folder).catch(() => null))?.isDirectory() === true;
+  if (
+    command === "verify" &&
+    (values.manifest || (isFolder && (await hasList(folder))))
+  ) {
+    if (!isFolder)
       throw new Refused(
         "verify --manifest takes a folder with a list, as plan -o DIR --manifest writes it",
       );
@@ -199,7 +203,7 @@ async function run(
   const progress = new Progress(process.stderr, byLine || files.length > 1);
   for (const file of files)
     if (file !== "-") progress.expect((await stat(file)).size);
-  const folder =
+  const out =
     values.out === undefined
       ? null
       : await folderOf(values.out, files, values.flat === true);
@@ -209,13 +213,13 @@ async function run(
       itemsOf(files, values, longest, progress),
       threads,
     );
-    const failed = folder
-      ? await fileAway(task, values, outcomes, byLine, folder, progress)
+    const failed = out
+      ? await fileAway(task, values, outcomes, byLine, out, progress)
       : await handOut(task, values, outcomes, byLine, progress);
     return failed ? 1 : 0;
   } finally {
     progress.end();
-    folder?.leave();
+    out?.leave();
   }
 }
 
@@ -223,9 +227,16 @@ async function run(
 async function served(names: string[], values: Values): Promise<number> {
   const other = Object.keys(values).find(
     (option) =>
-      !["port", "host", "jobs", "limit", "config", "no-config"].includes(
-        option,
-      ),
+      ![
+        "port",
+        "host",
+        "jobs",
+        "limit",
+        "origin",
+        "authorize",
+        "config",
+        "no-config",
+      ].includes(option),
   );
   if (other !== undefined) throw new Refused(`--${other} is not for serve`);
   if (names.length > 0) throw new Refused("serve takes no files");
@@ -241,6 +252,11 @@ async function served(names: string[], values: Values): Promise<number> {
   }
   const config = await configFor(values);
   const threads = threadsOf(values, Math.min(availableParallelism(), 8));
+  const origins = (values.origin ?? []).map(originOf);
+  const authorize =
+    values.authorize === undefined
+      ? undefined
+      : await authorizerOf(values.authorize);
   const { serve } = await import("./serve.js");
   const port = countOf("--port", values.port ?? "3000", 0, 65_535);
   await serve({
@@ -249,8 +265,35 @@ async function served(names: string[], values: Values): Promise<number> {
     threads,
     limits,
     config,
+    origins,
+    authorize,
   });
   return 0;
+}
+
+/** An origin as browsers send it. */
+function originOf(given: string): string {
+  if (
+    given !== "*" &&
+    !(URL.canParse(given) && new URL(given).origin === given)
+  )
+    throw new Refused(
+      `--origin is an origin such as https://portal.example, or *, not ${given}`,
+    );
+  return given;
+}
+
+/** The function that decides about requests. */
+async function authorizerOf(file: string): Promise<Authorize> {
+  let found: { default?: unknown };
+  try {
+    found = await import(pathToFileURL(resolve(file)).href);
+  } catch (thrown) {
+    throw new Refused(`${file} cannot be loaded: ${(thrown as Error).message}`);
+  }
+  if (typeof found.default !== "function")
+    throw new Refused(`${file} has no function as its default export`);
+  return found.default as Authorize;
 }
 
 /** The output folder. Temporary files are removed however the process ends, except by SIGKILL. */

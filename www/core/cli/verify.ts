@@ -1,4 +1,5 @@
 // Checks that a program is still that of the job in its header.
+import { diffArrays } from "diff";
 import {
   type Finding,
   importJob,
@@ -48,32 +49,44 @@ function blocks(text: string): { line: number; text: string }[] {
   return all.slice(end + 1).filter(({ text }) => !STAMP.test(text));
 }
 
-/** Lines that differ, without the common beginning and end. */
+/** Most edits that are looked for. Programs that differ by more have little in common, and all their lines are listed. */
+const MOST_EDITS = 2000;
+
+/** Lines that differ: each changed line with the expected one, and added and missing lines. */
 function differing(
   is: { line: number; text: string }[],
   wanted: { text: string }[],
 ): Verified["lines"] {
-  const same = (i: number, j: number) => is[i]?.text === wanted[j]?.text;
-  let begin = 0;
-  while (begin < Math.min(is.length, wanted.length) && same(begin, begin))
-    begin++;
-  let end = 0;
-  const most = Math.min(is.length, wanted.length) - begin;
-  while (end < most && same(is.length - 1 - end, wanted.length - 1 - end))
-    end++;
-  const [mine, theirs] = [
-    is.slice(begin, is.length - end),
-    wanted.slice(begin, wanted.length - end),
+  const texts = (list: { text: string }[]) => list.map(({ text }) => text);
+  const changes = diffArrays(texts(wanted), texts(is), {
+    maxEditLength: MOST_EDITS,
+  }) ?? [
+    { removed: true, added: false, value: texts(wanted) },
+    { removed: false, added: true, value: texts(is) },
   ];
-  return Array.from(
-    { length: Math.max(mine.length, theirs.length) },
-    (_, i) => ({
-      line:
-        mine[i]?.line ?? (mine.at(-1)?.line ?? is[begin - 1]?.line ?? 0) + 1,
-      is: mine[i]?.text ?? null,
-      wanted: theirs[i]?.text ?? null,
-    }),
-  );
+  const lines: Verified["lines"] = [];
+  let [next, missing, extra] = [0, [] as string[], [] as typeof is];
+  const flush = () => {
+    const after = extra.at(-1)?.line ?? is[next - 1]?.line ?? 0;
+    for (let i = 0; i < Math.max(extra.length, missing.length); i++)
+      lines.push({
+        line: extra[i]?.line ?? after + 1,
+        is: extra[i]?.text ?? null,
+        wanted: missing[i] ?? null,
+      });
+    [missing, extra] = [[], []];
+  };
+  for (const { added, removed, value } of changes) {
+    if (removed) missing.push(...value);
+    else {
+      const own = is.slice(next, next + value.length);
+      if (added) extra.push(...own);
+      else flush();
+      next += value.length;
+    }
+  }
+  flush();
+  return lines;
 }
 
 /** Compares a program with its job. */
