@@ -29,6 +29,7 @@ import {
 } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
+import { sbom } from "./sbom.mjs";
 import { split, unnamed } from "./split.mjs";
 import { webTypes } from "./web-types.mjs";
 
@@ -258,6 +259,7 @@ async function buildBundles() {
     ].join("\n"),
   );
   for (const file of bundled) rmSync(file);
+  writeFileSync(at("dist", "sbom.cdx.json"), sbom());
   writeFileSync(
     at("dist", "web-types.json"),
     `${JSON.stringify(webTypes(), null, 2)}\n`,

@@ -14,11 +14,15 @@ const versions = {
   )?.[1],
 };
 const problems = [];
-// npm compares a provenance with the repository in package.json.
-if (!JSON.parse(text("package.json")).repository)
-  problems.push(
-    "package.json names no repository: npm publishes no provenance without it",
-  );
+// Placeholders: nobody can own a name below .invalid. npm compares a provenance with the repository in package.json.
+for (const name of ["package.json", "Cargo.toml"]) {
+  const lines = text(name).split("\n");
+  const found = lines.filter((line) => line.includes("touchpath.invalid"));
+  if (found.length > 0)
+    problems.push(
+      `${name} has placeholders: ${found.map((line) => line.trim()).join(" ")}`,
+    );
+}
 const wanted = versions["package.json"];
 for (const [place, version] of Object.entries(versions))
   if (version !== wanted)

@@ -121,6 +121,7 @@ test("the package had no licence text", () => {
     "dist/vue.d.ts",
     "dist/web-types.json",
     "dist/react.js",
+    "dist/sbom.cdx.json",
     "dist/schema.json",
     "dist/words/de.json",
     "dist/words/ru.json",

@@ -241,7 +241,7 @@ test("a table of features in DuckDB gets a program a row, part by part", {
     `SELECT row, name, program, findings FROM 'it''s/*.parquet' ORDER BY row`,
   );
   assert.deepEqual(
-    rows.map(([row]) => row),
+    rows.map((/** @type {any[]} */ [row]) => row),
     Array.from({ length: 40 }, (_, row) => row),
   );
   assert.deepEqual(

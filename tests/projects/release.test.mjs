@@ -1,7 +1,7 @@
 // A release without publishing: the package packs and installs, the crate packs and compiles from its package.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 
@@ -40,24 +40,88 @@ test("a function with type parameters was missing in the reference", async () =>
     );
 });
 
-test("a release is refused where a version or the changelog does not fit or no repository is named, and the workflow asks before it publishes", () => {
+test("every link of the README leads to a file of the repository, where a registry's page takes it", () => {
+  const readme = readFileSync(at("README.md"), "utf8");
+  const links = [...readme.matchAll(/\]\(([^)#]+)(#[^)]*)?\)/g)].map(
+    ([, path = ""]) => path,
+  );
+  assert.ok(links.length > 20);
+  const missing = links.filter(
+    (path) => !/^https:/.test(path) && !existsSync(at(path)),
+  );
+  assert.deepEqual(missing, []);
+});
+
+test("the bill of materials names every crate and library that is shipped", async () => {
+  const { components, dependencies } = JSON.parse(
+    readFileSync(at("dist", "sbom.cdx.json"), "utf8"),
+  );
+  /** @type {string[]} */
+  const named = components.map((/** @type {any} */ one) => one.purl);
+  const lock = readFileSync(at("Cargo.lock"), "utf8");
+  const { packages } = JSON.parse(
+    readFileSync(at("package-lock.json"), "utf8"),
+  );
+  for (const purl of named) {
+    const [, kind, name = "", version] = /** @type {string[]} */ (
+      /^pkg:(cargo|npm)\/(.+)@([^@]+)$/.exec(purl)
+    );
+    if (kind === "cargo")
+      assert.ok(
+        lock.includes(`name = "${name}"\nversion = "${version}"`),
+        purl,
+      );
+    else
+      assert.equal(
+        packages[`node_modules/${decodeURIComponent(name)}`]?.version,
+        version,
+        purl,
+      );
+  }
+  // The direct dependencies of the crate, and what the page is made with.
+  const wanted = [
+    "glam",
+    "serde_json",
+    "wasm-bindgen",
+    "strsim",
+    "lit",
+    "hono",
+  ];
+  for (const name of wanted)
+    assert.ok(
+      named.some((purl) => purl.includes(`/${name}@`)),
+      name,
+    );
+  const own = dependencies.find((/** @type {any} */ one) =>
+    one.ref.startsWith("pkg:npm/touchpath@"),
+  );
+  assert.equal(own.dependsOn.length, named.length);
+  assert.ok(components.every((/** @type {any} */ one) => one.licenses.length));
+});
+
+test("a release is refused where a version or the changelog does not fit or a placeholder is left, and the workflow asks before it publishes", () => {
   const release = (/** @type {string} */ tag) =>
     spawnSync("node", ["scripts/release.mjs", tag], {
       cwd: at(),
       encoding: "utf8",
     });
-  const { version, repository } = JSON.parse(
+  const { version, ...fields } = JSON.parse(
     readFileSync(at("package.json"), "utf8"),
   );
+  for (const field of ["author", "homepage", "repository", "bugs"])
+    assert.ok(fields[field], `package.json has no ${field}`);
   const wrong = release("v99.0.0");
   assert.equal(wrong.status, 1);
   assert.match(wrong.stderr, /the tag says 99\.0\.0/);
   const { status, stderr } = release(`v${version}`);
-  // Between releases only the changelog may be missing, and a repository that has no name yet.
-  const nameless =
-    "package.json names no repository: npm publishes no provenance without it\n";
-  assert.equal(stderr.startsWith(nameless), !repository);
-  const rest = stderr.replace(nameless, "");
+  // Between releases only the changelog may be missing, and addresses that nobody has set yet.
+  for (const name of ["package.json", "Cargo.toml"])
+    assert.equal(
+      stderr.includes(`${name} has placeholders: `),
+      readFileSync(at(name), "utf8").includes("touchpath.invalid"),
+      stderr,
+    );
+  const rest = stderr.replaceAll(/^.* has placeholders: .*\n/gm, "");
   assert.ok(rest === "" || /^CHANGELOG\.md .*\n$/.test(rest), stderr);
   assert.equal(status, stderr === "" ? 0 : 1);
   const workflow = readFileSync(

@@ -1,0 +1,63 @@
+// Bill of materials (CycloneDX 1.6): the crates in the module and the libraries in the bundles. Its source is the list of licences, which the tools that bundle
+// them write.
+import { readFileSync } from "node:fs";
+import { Enums, Models, Serialize, Spec } from "@cyclonedx/cyclonedx-library";
+import { at } from "./lib.mjs";
+
+/** The components that a list of licences names. The parts of one name and version are one. */
+function components(/** @type {string} */ licences) {
+  const [crates = "", ...libraries] = licences
+    .split(/^(?=# )/m)
+    .filter(Boolean);
+  const named = (/** @type {string} */ text, /** @type {string} */ kind) =>
+    [...text.matchAll(/^## (\S+) - (\S+) \((.+)\)$/gm)].map(
+      ([, name = "", version = "", licence = ""]) => ({
+        name,
+        version,
+        licence,
+        purl: `pkg:${kind}/${name.replace(/^@/, "%40")}@${version}`,
+      }),
+    );
+  const all = [...named(crates, "cargo"), ...named(libraries.join(""), "npm")];
+  return [...new Map(all.map((one) => [one.purl, one])).values()]
+    .filter(({ name }) => name !== "touchpath")
+    .sort((a, b) => (a.purl < b.purl ? -1 : 1));
+}
+
+/** The bill of materials as JSON. It depends on the contents alone: without time and serial number. */
+export function sbom() {
+  const { name, version, license } = JSON.parse(
+    readFileSync(at("package.json"), "utf8"),
+  );
+  const component = (
+    /** @type {string} */ name,
+    /** @type {string} */ version,
+    /** @type {string} */ licence,
+    /** @type {string} */ purl,
+  ) => {
+    const one = new Models.Component(Enums.ComponentType.Library, name, {
+      version,
+      purl,
+      bomRef: purl,
+    });
+    one.licenses.add(new Models.LicenseExpression(licence));
+    return one;
+  };
+  const own = component(name, version, license, `pkg:npm/${name}@${version}`);
+  const bom = new Models.Bom({
+    metadata: new Models.Metadata({ component: own }),
+  });
+  for (const { name, version, licence, purl } of components(
+    readFileSync(at("dist", "licences.txt"), "utf8"),
+  )) {
+    const part = component(name, version, licence, purl);
+    bom.components.add(part);
+    own.dependencies.add(part.bomRef);
+  }
+  const factory = new Serialize.JSON.Normalize.Factory(Spec.Spec1dot6);
+  const text = new Serialize.JsonSerializer(factory).serialize(bom, {
+    sortLists: true,
+    space: 2,
+  });
+  return `${text}\n`;
+}
