@@ -29,7 +29,6 @@ import {
 } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
-import { sbom } from "./sbom.mjs";
 import { split, unnamed } from "./split.mjs";
 import { webTypes } from "./web-types.mjs";
 
@@ -259,7 +258,13 @@ async function buildBundles() {
     ].join("\n"),
   );
   for (const file of bundled) rmSync(file);
+  // The build itself installs their packages.
+  const [{ sbom }, { buildExtension }] = await Promise.all([
+    import("./sbom.mjs"),
+    import("./vscode.mjs"),
+  ]);
   writeFileSync(at("dist", "sbom.cdx.json"), sbom());
+  await buildExtension();
   writeFileSync(
     at("dist", "web-types.json"),
     `${JSON.stringify(webTypes(), null, 2)}\n`,

@@ -50,7 +50,7 @@ test("a portal kept the program of an earlier diameter while the form had an err
   );
   await field("cycle.diameter").fill("50");
   assert.deepEqual((await portal()).plans.at(-1), 50);
-  // A job that the config refuses has no program either, whoever sets it.
+  // A job that the config refuses has no program either.
   await set("config", {
     format: 1,
     fields: { "cycle.diameter": { max: 60 } },
