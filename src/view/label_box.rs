@@ -22,8 +22,21 @@ impl LabelBox {
         Vec2::new(self.along.dot(off), self.along.perp_dot(off))
     }
 
+    /// Whether anything within this distance of a position may touch it: a quick look that leaves out most things of a picture.
+    pub fn is_near(&self, at: Vec2, reach: f64) -> bool {
+        (at - self.middle).abs().max_element() <= self.half.x + self.half.y + reach
+    }
+
+    /// Distance from its middle beyond which it meets no other plate.
+    pub fn reach(&self) -> f64 {
+        self.half.x + 2.0 * self.half.y
+    }
+
     /// Whether it overlaps a disc; with radius 0, whether it contains a position.
     pub fn covers(&self, disc: Vec2, radius: f64) -> bool {
+        if !self.is_near(disc, radius) {
+            return false;
+        }
         (self.own(disc).abs() - self.half).max(Vec2::ZERO).length() <= radius
     }
 
@@ -36,6 +49,9 @@ impl LabelBox {
 
     /// Whether two plates overlap: compares with the middle line of the other one, as thick as its height.
     pub fn meets(&self, other: &LabelBox) -> bool {
+        if !self.is_near(other.middle, other.reach()) {
+            return false;
+        }
         let far = other.along * (other.half.x - other.half.y).max(0.0);
         self.crosses([other.middle - far, other.middle + far], other.half.y)
     }

@@ -382,6 +382,11 @@ impl Camera {
                 for step in 0..6 {
                     let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
                     for (place, rank) in places {
+                        // What it covers can only add to this.
+                        let own = rank + rank_of_side + (far - begin) / 20.0;
+                        if own >= least {
+                            continue;
+                        }
                         let one = placed(side, begin, far, *place);
                         // A name on the line, and a line that cannot be seen.
                         let line = one.line;
@@ -391,11 +396,7 @@ impl Camera {
                             .filter(|other| other.crosses(line, 2.0))
                             .count()
                             + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
-                        let cost = crowd.cost(&one.name)
-                            + 300.0 * struck as f64
-                            + rank
-                            + rank_of_side
-                            + (far - begin) / 20.0;
+                        let cost = crowd.cost(&one.name) + 300.0 * struck as f64 + own;
                         if cost < least {
                             (least, best) = (cost, one);
                         }

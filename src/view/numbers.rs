@@ -10,6 +10,9 @@ use crate::view::scene::Scene;
 const DISC: [f64; 2] = [9.0, 8.0];
 /// Distance from a contact to the disc.
 const OFF: f64 = 7.0;
+/// Rings of places beyond the closest one, and the cost of each.
+const RINGS: f64 = 2.0;
+const RING: f64 = 0.1;
 /// Contacts closer than this count as one.
 const ONE: f64 = 3.0;
 
@@ -106,10 +109,30 @@ impl Camera {
             let letters = number.label.bytes().filter(u8::is_ascii_alphabetic).count();
             let wide = 2.8 * number.label.len() as f64 + 2.2 * letters as f64 + 4.6;
             let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
+            // Everything that a place around the contact can cover.
+            let farthest = radius + off + RINGS * (2.0 * radius + 2.0);
+            let around = LabelBox {
+                middle: number.contact,
+                along: Vec2::X,
+                half: half + farthest,
+            };
+            let plates = placed.iter().map(|other| &other.plate);
+            let plates: Vec<&LabelBox> = plates
+                .filter(|plate| around.is_near(plate.middle, plate.reach()))
+                .collect();
+            let spots: Vec<Vec2> = spots
+                .iter()
+                .copied()
+                .filter(|spot| around.is_near(*spot, 3.0))
+                .collect();
             let mut least = f64::INFINITY;
             // Around the contact, then farther out.
             for step in 0..24 {
                 let (ring, turn) = (f64::from(step / 8), f64::from(step % 8));
+                // Nothing from here on costs less.
+                if least <= RING * ring {
+                    break;
+                }
                 let angle = (turn / 2.0).ceil()
                     * std::f64::consts::FRAC_PI_4
                     * if step % 2 == 0 { 1.0 } else { -1.0 };
@@ -121,19 +144,19 @@ impl Camera {
                     along: Vec2::X,
                     half,
                 };
-                let met = placed
-                    .iter()
-                    .filter(|other| plate.meets(&other.plate))
-                    .count();
+                let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half))
+                    .bitmask()
+                    .count_ones();
+                let own = 5.0 * f64::from(outside) + RING * ring;
+                if own >= least {
+                    continue;
+                }
+                let met = plates.iter().filter(|other| plate.meets(other)).count();
                 let hidden = spots
                     .iter()
                     .filter(|spot| plate.covers(**spot, 3.0))
                     .count();
-                let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half))
-                    .bitmask()
-                    .count_ones();
-                let cost =
-                    10.0 * met as f64 + 3.0 * hidden as f64 + 5.0 * f64::from(outside) + 0.1 * ring;
+                let cost = 10.0 * met as f64 + 3.0 * hidden as f64 + own;
                 if cost < least {
                     least = cost;
                     (number.plate, number.has_leader) = (plate, ring > 0.0);
