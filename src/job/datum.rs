@@ -30,11 +30,8 @@ pub fn read(
 ) -> Option<DatumSource> {
     let (path, members) = (&whole.path, &whole.members);
     let given = value.given("datum");
-    let mut section = Section::new(checker, given, "datum");
-    section.only(&[], &DATUM);
-    if section.value().is_none() && given.is_some() {
-        return None;
-    }
+    checker.object(given, "datum")?;
+    Section::new(checker, given, "datum").only(&[], &DATUM);
     let mut written = DatumSource::default();
     let own = several(&members[0].job).is_some();
     let last = members.len() - 1;

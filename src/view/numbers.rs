@@ -44,6 +44,25 @@ impl Number {
 impl Camera {
     /// Numbers of the touches, in order.
     pub fn numbers(&self, scene: &Scene) -> Vec<Number> {
+        let mut numbers = self.contacts(scene);
+        let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();
+        let radius = radius(&contacts);
+        // Contacts and the origin stay visible.
+        let spots: Vec<Vec2> = contacts
+            .into_iter()
+            .chain([self.pixel(scene.origin)])
+            .collect();
+        for k in 0..numbers.len() {
+            let (placed, rest) = numbers.split_at_mut(k);
+            if let Some(number) = rest.first_mut() {
+                self.place_number(number, scene, radius, (placed, &spots));
+            }
+        }
+        numbers
+    }
+
+    /// The numbers at their contacts, each with its text. Touches at one position have one number.
+    fn contacts(&self, scene: &Scene) -> Vec<Number> {
         let mut numbers: Vec<Number> = Vec::new();
         for (k, touch) in scene.touches.iter().enumerate() {
             // A touch behind the part has its number beside the ball.
@@ -83,87 +102,77 @@ impl Camera {
                 });
             }
         }
-        let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();
-        let radius = radius(&contacts);
-        // Contacts and the origin stay visible.
-        let spots: Vec<Vec2> = contacts
-            .into_iter()
-            .chain([self.pixel(scene.origin)])
+        numbers
+    }
+
+    /// Places the disc of a number where it covers least of the `placed` ones and of the `spots`.
+    fn place_number(
+        &self,
+        number: &mut Number,
+        scene: &Scene,
+        radius: f64,
+        (placed, spots): (&[Number], &[Vec2]),
+    ) {
+        let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else {
+            return;
+        };
+        // Behind the surface, away from the path: beside it if the surface is seen face on.
+        let inward = touch.inward * DOWNWARDS;
+        let (way, off) = match touch.behind {
+            Some(_) => (inward, scene.radius * self.scale + 2.0),
+            None if inward.length() < 0.1 => (Vec2::new(0.7, -0.7), OFF),
+            None => (-inward, OFF),
+        };
+        // About half as wide as its text; a dot has two bytes and is half as wide as a digit; letters are wider.
+        let letters = number.label.bytes().filter(u8::is_ascii_alphabetic).count();
+        let wide = 2.8 * number.label.len() as f64 + 2.2 * letters as f64 + 4.6;
+        let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
+        // Everything that a place around the contact can cover.
+        let farthest = radius + off + RINGS * (2.0 * radius + 2.0);
+        let around = LabelBox {
+            middle: number.contact,
+            along: Vec2::X,
+            half: half + farthest,
+        };
+        let plates = placed.iter().map(|other| &other.plate);
+        let plates: Vec<&LabelBox> = plates
+            .filter(|plate| around.is_near(plate.middle, plate.reach()))
             .collect();
-        for k in 0..numbers.len() {
-            let (placed, rest) = numbers.split_at_mut(k);
-            let Some(number) = rest.first_mut() else {
-                break;
-            };
-            // Behind the surface, away from the path: beside it if the surface is seen face on.
-            let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else {
-                continue;
-            };
-            let inward = touch.inward * DOWNWARDS;
-            let (way, off) = match touch.behind {
-                Some(_) => (inward, scene.radius * self.scale + 2.0),
-                None if inward.length() < 0.1 => (Vec2::new(0.7, -0.7), OFF),
-                None => (-inward, OFF),
-            };
-            // About half as wide as its text; a dot has two bytes and is half as wide as a digit; letters are wider.
-            let letters = number.label.bytes().filter(u8::is_ascii_alphabetic).count();
-            let wide = 2.8 * number.label.len() as f64 + 2.2 * letters as f64 + 4.6;
-            let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
-            // Everything that a place around the contact can cover.
-            let farthest = radius + off + RINGS * (2.0 * radius + 2.0);
-            let around = LabelBox {
-                middle: number.contact,
+        let spots = spots.iter().copied();
+        let spots: Vec<Vec2> = spots.filter(|spot| around.is_near(*spot, 3.0)).collect();
+        let mut least = f64::INFINITY;
+        // Around the contact, then farther out.
+        for step in 0..24 {
+            let (ring, turn) = (f64::from(step / 8), f64::from(step % 8));
+            let angle = (turn / 2.0).ceil()
+                * std::f64::consts::FRAC_PI_4
+                * if step % 2 == 0 { 1.0 } else { -1.0 };
+            let far = radius + off + ring * (2.0 * radius + 2.0);
+            let middle = number.contact
+                + Vec2::from_angle(angle).rotate(way) * Vec2::new(far + half.x - radius, far);
+            let plate = LabelBox {
+                middle,
                 along: Vec2::X,
-                half: half + farthest,
+                half,
             };
-            let plates = placed.iter().map(|other| &other.plate);
-            let plates: Vec<&LabelBox> = plates
-                .filter(|plate| around.is_near(plate.middle, plate.reach()))
-                .collect();
-            let spots: Vec<Vec2> = spots
+            let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half))
+                .bitmask()
+                .count_ones();
+            let own = 5.0 * f64::from(outside) + RING * ring;
+            if own >= least {
+                continue;
+            }
+            let met = plates.iter().filter(|other| plate.meets(other)).count();
+            let hidden = spots
                 .iter()
-                .copied()
-                .filter(|spot| around.is_near(*spot, 3.0))
-                .collect();
-            let mut least = f64::INFINITY;
-            // Around the contact, then farther out.
-            for step in 0..24 {
-                let (ring, turn) = (f64::from(step / 8), f64::from(step % 8));
-                // Nothing from here on costs less.
-                if least <= RING * ring {
-                    break;
-                }
-                let angle = (turn / 2.0).ceil()
-                    * std::f64::consts::FRAC_PI_4
-                    * if step % 2 == 0 { 1.0 } else { -1.0 };
-                let far = radius + off + ring * (2.0 * radius + 2.0);
-                let middle = number.contact
-                    + Vec2::from_angle(angle).rotate(way) * Vec2::new(far + half.x - radius, far);
-                let plate = LabelBox {
-                    middle,
-                    along: Vec2::X,
-                    half,
-                };
-                let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half))
-                    .bitmask()
-                    .count_ones();
-                let own = 5.0 * f64::from(outside) + RING * ring;
-                if own >= least {
-                    continue;
-                }
-                let met = plates.iter().filter(|other| plate.meets(other)).count();
-                let hidden = spots
-                    .iter()
-                    .filter(|spot| plate.covers(**spot, 3.0))
-                    .count();
-                let cost = 10.0 * met as f64 + 3.0 * hidden as f64 + own;
-                if cost < least {
-                    least = cost;
-                    (number.plate, number.has_leader) = (plate, ring > 0.0);
-                }
+                .filter(|spot| plate.covers(**spot, 3.0))
+                .count();
+            let cost = 10.0 * met as f64 + 3.0 * hidden as f64 + own;
+            if cost < least {
+                least = cost;
+                (number.plate, number.has_leader) = (plate, ring > 0.0);
             }
         }
-        numbers
     }
 }
 

@@ -104,27 +104,17 @@ impl<'t> RunInputs<'t> {
         for (key, value) in entries {
             match (key.as_str(), value) {
                 (_, value) if is_unset(value) => {}
-                ("dialect", Value::Text(name)) if DIALECTS.contains(&name.as_str()) => {
-                    known.dialect = DIALECTS.into_iter().find(|dialect| dialect == name);
+                ("dialect", name) => {
+                    known.dialect = one_of(&DIALECTS, name, |list| {
+                        let message = text!("The dialect must be one of {list}", list);
+                        checker.error("unknown-value", "dialect", message);
+                    });
                 }
-                ("dialect", _) => {
-                    let list = DIALECTS.join(", ");
-                    checker.error(
-                        "unknown-value",
-                        "dialect",
-                        text!("The dialect must be one of {list}", list),
-                    );
-                }
-                ("post", Value::Text(name)) if PROGRAM_POSTS.contains(&name.as_str()) => {
-                    known.post = PROGRAM_POSTS.into_iter().find(|post| post == name);
-                }
-                ("post", _) => {
-                    let list = PROGRAM_POSTS.join(", ");
-                    checker.error(
-                        "unknown-value",
-                        "post",
-                        text!("The control must be one of {list}", list),
-                    );
+                ("post", name) => {
+                    known.post = one_of(&PROGRAM_POSTS, name, |list| {
+                        let message = text!("The control must be one of {list}", list);
+                        checker.error("unknown-value", "post", message);
+                    });
                 }
                 ("offsets", Value::Number(0.0)) => known.zero = true,
                 ("offsets", _) => {
@@ -165,6 +155,21 @@ impl<'t> RunInputs<'t> {
 /// Whether an input is omitted.
 fn is_unset(value: &Value) -> bool {
     matches!(value, Value::Null | Value::Other("undefined"))
+}
+
+/// The word of a list that a value names. Otherwise reports the list.
+fn one_of(
+    list: &[&'static str],
+    given: &Value,
+    report: impl FnOnce(String),
+) -> Option<&'static str> {
+    let found = list
+        .iter()
+        .find(|word| matches!(given, Value::Text(name) if name == *word));
+    if found.is_none() {
+        report(list.join(", "));
+    }
+    found.copied()
 }
 
 /// The part of a job, which need not give its format.
