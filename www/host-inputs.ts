@@ -10,7 +10,6 @@ import {
   say,
 } from "./core/browser.js";
 import { isTooLarge } from "./core/coded.js";
-import { MOST_VALUES } from "./core/layout.js";
 import type { CatalogView, Units } from "./entries.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
 import { Rules } from "./rules.js";
@@ -390,10 +389,7 @@ export class HostInputs {
         refusal: refused(
           "job",
           "too-long",
-          w(
-            "Nothing was changed: this job is too large. A job has at most {most} values",
-          ),
-          String(MOST_VALUES),
+          w("Nothing was changed: this job is too large, or nested too deeply"),
         ),
       };
     // Throws for a value without JSON, such as a BigInt or a circular object.

@@ -54,7 +54,10 @@ const contentOf = (text: string): string =>
 export abstract class Output extends CatalogView {
   /** The cycles of a set-up; the form has the active one. */
   readonly features = new CycleList();
+  /** Findings with their paths in the form. */
   findings: Finding[] = [];
+  /** The same with their paths in the whole job. */
+  wholeFindings: Finding[] = [];
   /** Last valid plan of this document; empty if no plan was valid. */
   plan: Plan = NO_PLAN;
   /** Name of the program that was saved last. */
@@ -109,10 +112,8 @@ export abstract class Output extends CatalogView {
     }
     const ruled = this.rules.judged(job);
     if (ruled.some(({ level }) => level === "error")) made = null;
-    this.findings = [
-      ...this.inForm([...findings, ...ruled]),
-      ...this.outside.differences(),
-    ];
+    this.wholeFindings = [...findings, ...ruled, ...this.outside.differences()];
+    this.findings = this.inForm(this.wholeFindings);
     this.stale = made === null;
     if (made) {
       this.plan = made;

@@ -52,7 +52,7 @@ function component(tag, properties, events) {
   };
 }
 
-/** `<touch-path>` as a component. It loads the element by itself. */
+/** `<touch-path>` as a component. It loads the element automatically. */
 export const TouchPath = component(
   "touch-path",
   ["config", "job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "view", "measured", "storage", "history", "links", "disabled", "name"],

@@ -383,6 +383,11 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   // A folder with a list is compared with it in any case.
   const good = run(["verify", "made", "--manifest"]);
   assert.equal(run(["verify", "made"]).stdout, good.stdout);
+  // A damaged list is told, in place of a comparison without it.
+  const whole = readFileSync(join(folder, "made/manifest.json"));
+  writeFileSync(join(folder, "made/manifest.json"), whole.subarray(0, -10));
+  assert.equal(run(["verify", "made"]).status, 2);
+  writeFileSync(join(folder, "made/manifest.json"), whole);
   assert.deepEqual(
     [good.status, good.stdout.trimEnd().split("\n").length],
     [0, 4],

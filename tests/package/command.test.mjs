@@ -407,3 +407,42 @@ test("verify listed 47 lines where two were edited: the first and the last touch
   assert.equal(lines[2].is, text[last]);
   assert.equal(lines[2].wanted, String(text[last]).replace("F1500.", "F150."));
 });
+
+test("verify names the place of a missing first block, and no equal lines of a program that differs everywhere", () => {
+  const own = /** @type {any} */ (job("hole"));
+  own.control = { post: "haas" };
+  const text = touchpath.program(own).text.split("\n");
+  const head = text.findIndex((line) => /Blocks below/i.test(line));
+  const told = (/** @type {string} */ name, /** @type {string[]} */ lines) =>
+    JSON.parse(
+      run(["verify", file(name, lines.join("\n")), "--format", "json"]).stdout,
+    );
+  const first = told(
+    "first.ngc",
+    text.filter((_, i) => i !== head + 1),
+  );
+  assert.deepEqual(first.lines, [
+    { line: head + 2, is: null, wanted: text[head + 1] },
+  ]);
+  const blocks = text.slice(head + 1).filter((line) => line.trim() !== "");
+  const none = told("none.ngc", text.slice(0, head + 1));
+  assert.match(none.said, new RegExp(`^${blocks.length} lines differ`));
+  assert.ok(none.lines.every((/** @type {any} */ one) => one.line > head));
+  // More edits than are looked for.
+  const cycles = Array.from({ length: 80 }, (_, i) => ({
+    type: "hole",
+    name: `B${i}`,
+    origin: [60 * i, 0, 0],
+  }));
+  const many = touchpath
+    .program({ format: 2, cycles: /** @type {any} */ (cycles) })
+    .text.split("\n");
+  const moved = many.map((line) =>
+    line.startsWith("(") ? line : line.replace(/F\d+/, "F77"),
+  );
+  const count = moved.filter((line, i) => line !== many[i]).length;
+  assert.ok(count > 1000);
+  const { said, lines } = told("many.ngc", moved);
+  assert.equal(said, `${count} lines differ from its job's program`);
+  assert.ok(lines.every((/** @type {any} */ one) => one.is !== one.wanted));
+});

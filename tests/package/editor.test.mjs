@@ -166,11 +166,22 @@ test("a macro call is explained, argument by argument, and a program that does n
   assert.match(words, /^\*\*G65 P9814\*\*: /);
   assert.match(words, /- `D 50`: .*diameter/);
   assert.deepEqual(await opened("milling.nc", "G0 X0\nG1 X10 F100\nM30\n"), []);
-  assert.equal(await hover("milling.nc", 2), null);
+  for (const line of [0, 1, 2])
+    assert.equal(await hover("milling.nc", line), null);
   await editor.sendNotification("textDocument/didClose", {
     textDocument: { uri: "file:///call.nc" },
   });
   assert.deepEqual(await next("file:///call.nc"), []);
+});
+
+test("words without blanks are explained, and a program with a hundred thousand faults is no flood", async () => {
+  await opened("tight.ngc", "G21G90G94\nN30G38.2Z-5F100\n#1=#31\nM2\n");
+  assert.match(await hover("tight.ngc", 1), /^`G38\.2`: probing move/);
+  assert.ok(!/G31/.test((await hover("tight.ngc", 2)) ?? ""));
+  const flood = `G21 G90\nG38.2 Z-5 F100\n${"WHAT IS THIS\n".repeat(1e5)}M2\n`;
+  const found = await opened("flood.ngc", flood);
+  assert.ok(found.length > 20 && found.length <= 1000, String(found.length));
+  assert.ok(found.some(({ message }) => /and \d+ lines more/.test(message)));
 });
 
 test("the file is one that an editor installs: manifest, version, engine, licences", () => {

@@ -308,6 +308,11 @@ test("under a path with version and rules an answer is kept for ever, and anothe
   assert.equal(plain.headers.get("cache-control"), "no-cache");
   const other = await fetch(`${address}/v/0.0.1/program${query}`);
   assert.equal(other.status, 404);
+  assert.equal(
+    other.headers.get("cache-control"),
+    "no-store",
+    "the next version has this path",
+  );
   assert.match((await other.json()).error, /this service answers at \/v\//);
   const bad = await fetch(`${address}${health.path}/program?job={}`);
   assert.deepEqual(
@@ -370,6 +375,21 @@ test("pages of named origins may read the answers, and a function of the user's 
     (await ask({ authorization: "Bearer secret" }, "/plan")).status,
     401,
   );
+  // No shared cache may hand such an answer to others.
+  writeFileSync(
+    file,
+    'export default ({ headers }) => headers.authorization === "Bearer secret";',
+  );
+  const shared = await service("--no-config", "--authorize", file);
+  const kept = await fetch(
+    `${shared.address}/v/${version()}/program?job=${JSON.stringify(HOLE)}`,
+    { headers: { authorization: "Bearer secret" } },
+  );
+  assert.equal(
+    kept.headers.get("cache-control"),
+    "private, max-age=31536000, immutable",
+  );
+  await shared.end();
   // The browser asks before it sends a job.
   const before = await fetch(`${address}/program`, {
     method: "OPTIONS",

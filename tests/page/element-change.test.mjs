@@ -97,6 +97,61 @@ test("each change has its reason, and a change that the page only returns has no
   assert.deepEqual([...new Set(await reasons())], ["host"]);
 });
 
+test("a listener that sets something in the middle of an event: each change keeps its own reason", async () => {
+  await open(`<touch-path cycle="hole"></touch-path>`, KEEP);
+  await on((element) => {
+    // A portal that locks the form, and brings its rules, as soon as the user has changed something.
+    element.addEventListener("job-change", () => {
+      element.readonly = true;
+      element.measured = "";
+      element.config = { format: 1, fields: { "feeds.work": { max: 200 } } };
+    });
+  });
+  await reasons();
+  await field("cycle.diameter").fill("41");
+  const said = await reasons();
+  assert.equal(said[0], "edit");
+  assert.ok(
+    said.slice(1).every((/** @type {string} */ reason) => reason === "host"),
+    said.join(),
+  );
+});
+
+test("what changes nothing fires nothing: an equal config, the same control, a field that is left", async () => {
+  await open(`<touch-path cycle="hole"></touch-path>`, KEEP);
+  const config = { format: 1, fields: { "feeds.work": { max: 200 } } };
+  await set("config", config);
+  await field("cycle.diameter").fill("40+1");
+  await reasons();
+  const { plans } = await portal();
+  await set("config", config);
+  await set("post", await on((element) => element.post));
+  await field("cycle.diameter").blur();
+  assert.equal(await field("cycle.diameter").inputValue(), "41");
+  assert.deepEqual(await reasons(), []);
+  assert.equal((await portal()).plans.length, plans.length);
+});
+
+test("findings of a set-up have the paths of the job that is told with them", async () => {
+  await open(`<touch-path></touch-path>`, KEEP);
+  await set("job", {
+    format: 2,
+    cycles: [
+      { type: "hole", name: "A", diameter: 2 },
+      { type: "hole", name: "B", origin: [90, 0, 0] },
+    ],
+  });
+  const { findings } = await portal();
+  const paths = findings
+    .filter((/** @type {any} */ one) => one.level === "error")
+    .map((/** @type {any} */ one) => one.path);
+  assert.ok(paths.includes("cycles[0].diameter"), paths.join());
+  assert.deepEqual(await on((element) => element.findings), findings);
+  await reasons();
+  await on((element) => element.store.bringFeature(1));
+  assert.deepEqual(await reasons(), []);
+});
+
 test("a listener that sets the job in the middle of an event hears the last state last", async () => {
   await open(`<touch-path cycle="hole"></touch-path>`, KEEP);
   await on((element, job) => {
@@ -160,8 +215,16 @@ test("a job of a million codes is refused before it is copied, as an object and 
     // A text of two million characters at most is read at all.
     job.cycle.custom = new Array(5e4).fill({ code: 1, value: 2 });
     element.job = JSON.stringify(job);
+    // Few objects, but two to the power of twenty values.
+    let deep = /** @type {any} */ ([1, 2]);
+    for (let i = 0; i < 20; i++) deep = [deep, deep];
+    element.job = { ...job, cycle: { type: "hole", custom: deep } };
   });
-  assert.deepEqual(await page.evaluate("refused"), ["too-long", "too-long"]);
+  assert.deepEqual(await page.evaluate("refused"), [
+    "too-long",
+    "too-long",
+    "too-long",
+  ]);
   assert.deepEqual(await on((element) => element.job.cycle.custom ?? []), []);
 });
 

@@ -32,6 +32,7 @@ import type {
   ProgramRun,
   ProgramText,
   ResultRow,
+  SetUp,
 } from "./types.js";
 import type { Packed } from "./unpacked.js";
 
@@ -361,7 +362,8 @@ export function svg(
  * The job in other units. Every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). Values keep 4
  * decimals in mm and 6 in inch, below 0.001 three more. Other values stay as they are; a value without JSON becomes null.
  */
-export function convertUnits<T extends AnyJob>(job: T, units: "mm" | "inch"): T;
+export function convertUnits(job: Job, units: "mm" | "inch"): Job;
+export function convertUnits(job: SetUp, units: "mm" | "inch"): SetUp;
 export function convertUnits(job: unknown, units: "mm" | "inch"): AnyJob;
 export function convertUnits(job: unknown, units: "mm" | "inch"): AnyJob {
   return on(job, (codes, text) => raw.convertUnits(codes, text, units));

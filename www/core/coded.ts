@@ -28,7 +28,7 @@ export interface Coded {
   text: string;
 }
 
-const TOO_LARGE = [TOO_LONG, TOO_MANY, TOO_MANY_KEYS, TOO_MUCH_TEXT];
+const TOO_LARGE = [TOO_DEEP, TOO_LONG, TOO_MANY, TOO_MANY_KEYS, TOO_MUCH_TEXT];
 
 class Coder {
   readonly codes: number[] = [];
@@ -162,7 +162,7 @@ export function same(a: Coded, b: Coded): boolean {
   );
 }
 
-/** Whether a value is too large for a job. Takes about as long as for the largest job, whatever the value. */
+/** Whether a value is too large or too deep for a job. Takes about as long as for the largest job, whatever the value. */
 export function isTooLarge(value: unknown): boolean {
   const coder = new Coder();
   coder.walk(value, 0);

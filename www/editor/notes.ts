@@ -13,31 +13,31 @@ export interface Note {
 /** Probing words, with their meaning. */
 const WORDS: readonly (readonly [RegExp, string])[] = [
   [
-    /\bG38\.2\b/i,
+    /(?<![A-Z#_])G38\.2(?!\d)/i,
     "`G38.2`: probing move. It stops at the contact; without one the control stops with an alarm.",
   ],
   [
-    /\bG38\.3\b/i,
+    /(?<![A-Z#_])G38\.3(?!\d)/i,
     "`G38.3`: probing move. It stops at the contact; without one the program goes on at the end of the move.",
   ],
   [
-    /\bG38\.4\b/i,
+    /(?<![A-Z#_])G38\.4(?!\d)/i,
     "`G38.4`: move away from the part. It stops where the contact ends; if it does not end, the control stops with an alarm.",
   ],
   [
-    /\bG38\.5\b/i,
+    /(?<![A-Z#_])G38\.5(?!\d)/i,
     "`G38.5`: move away from the part. It stops where the contact ends; if it does not end, the program goes on at the end of the move.",
   ],
   [
-    /\bG31(\.\d)?\b/i,
+    /(?<![A-Z#_])G31(?:\.\d)?(?!\d)/i,
     "`G31`: skip move. It stops at the signal of the probe. Without one it goes to its end, and the program itself must ask whether there was a contact.",
   ],
   [
-    /\bMEAS\s*=/i,
+    /(?<![A-Z_])MEAS\s*=/i,
     "`MEAS`: measuring move. It stops at the signal of the probe and deletes the distance to go.",
   ],
   [
-    /\bMEAW\s*=/i,
+    /(?<![A-Z_])MEAW\s*=/i,
     "`MEAW`: measuring move. It keeps the position of the signal and goes on to its end.",
   ],
 ];
@@ -46,6 +46,10 @@ const WORDS: readonly (readonly [RegExp, string])[] = [
 export function isProbing({ kind, kinds, calls }: ProgramRun): boolean {
   return calls.length > 0 || kind.some((one) => kinds[one] === "probe");
 }
+
+/** Most lines of one rule or finding, and most notes of a program: an editor lists them all. */
+const MOST_LINES = 20;
+const MOST_NOTES = 1000;
 
 /** Notes of a program at its lines; notes without a line are at the first one. */
 export function notesOf(run: ProgramRun): Note[] {
@@ -56,8 +60,11 @@ export function notesOf(run: ProgramRun): Note[] {
     message: string,
     lines: readonly number[],
   ) => {
-    for (const line of lines.length > 0 ? lines : [0])
-      notes.push({ line, level, code, message });
+    const more = lines.length - MOST_LINES;
+    const text = more > 0 ? `${message} (and ${more} lines more)` : message;
+    for (const line of lines.length > 0 ? lines.slice(0, MOST_LINES) : [0])
+      if (notes.length < MOST_NOTES)
+        notes.push({ line, level, code, message: text });
   };
   if (!isProbing(run)) return notes;
   for (const { rule, holds, message, lines } of run.rules) {
@@ -88,6 +95,7 @@ export function wordsOf(
   line: number,
   text: string,
 ): string | null {
+  if (!isProbing(run)) return null;
   const code = text.replace(/\(.*?\)|;.*/g, "");
   const said: string[] = [];
   for (const call of run.calls)
@@ -102,9 +110,9 @@ export function wordsOf(
       if (words.length > 0) said.push(words.join("\n"));
     }
   for (const [word, meaning] of WORDS) if (word.test(code)) said.push(meaning);
-  const ways = [...run.line.keys()].filter(
-    (move) => run.line[move] === line && (run.file[move] ?? 0) === 0,
-  );
+  const ways: number[] = [];
+  for (let move = 0; move < run.line.length; move++)
+    if (run.line[move] === line && (run.file[move] ?? 0) === 0) ways.push(move);
   const shown = ways.slice(0, 3).map((move) => wayOf(run, move));
   if (shown.length > 0) said.push(shown.join("\n\n"));
   if (ways.length > 3) said.push(`and ${ways.length - 3} moves more`);

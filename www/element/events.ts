@@ -8,11 +8,12 @@ import type { AnyJob, Finding, Plan } from "../core/types.js";
 import type { App } from "../parts/app.js";
 import type { Store } from "../store.js";
 
-/** State that the events tell: the job and its findings as JSON, and its plan. */
+/** State that the events tell: the job and its findings as JSON, its plan, and the measured points. */
 interface Told {
   job: string;
   plan: Plan | null;
   findings: string;
+  measured: string;
 }
 
 /** Copies of the state, shared by the events of one change. Each is made on first access: listeners that do not read it cost nothing. */
@@ -69,7 +70,6 @@ export function followJob(
   inside: ElementInternals,
   { store, app }: { store: Store; app: App },
 ): void {
-  let measured = store.measured;
   let selection = JSON.stringify({
     move: null,
     line: null,
@@ -92,24 +92,30 @@ export function followJob(
     selection = JSON.stringify(now);
     element.tell("selection-change", now);
   };
-  let state: Told & { revision: number; copies: Copies };
-  /** The present state. A listener may have changed it since the last event. */
-  const now = () => {
-    if (state?.revision === store.revision) return state;
-    const told: Told = {
-      job: JSON.stringify(store.job),
-      plan: store.stale ? null : store.plan,
-      findings: JSON.stringify(store.findings),
-    };
-    state = { ...told, revision: store.revision, copies: new Copies(told) };
-    return state;
+  /** The last state that was told, and what waits to be told: a listener may change the job in the middle of an event. */
+  let told: Told = {
+    job: "",
+    plan: null,
+    findings: "",
+    measured: store.measured,
   };
-  /** Last told state by each event, and by `change`. */
-  const told: Told = { job: "", plan: null, findings: "" };
-  let whole: Told = { ...told };
+  let newest = told;
+  const waiting: { now: Told; reason: ChangeReason }[] = [];
+  let busy = false;
+  const state = (): Told => {
+    const job = JSON.stringify(store.job);
+    const findings = JSON.stringify(store.wholeFindings);
+    const { measured } = store;
+    const plan = store.stale ? null : store.plan;
+    // A job that is planned again has the plan of before.
+    const same = job === newest.job && findings === newest.findings;
+    const kept = same && plan && newest.plan;
+    newest = { job, plan: kept || plan, findings, measured };
+    return newest;
+  };
   /** Sets the value in a form, and the reason why it must not be submitted. */
   const submits = () => {
-    inside.setFormValue(now().job);
+    inside.setFormValue(newest.job);
     // The browser shows a message at an element that can have the focus.
     const anchor = app.querySelector<HTMLElement>(
       "tp-bar select:enabled, canvas[tabindex]",
@@ -122,39 +128,47 @@ export function followJob(
         anchor ?? undefined,
       );
   };
-  const changed = (reason: ChangeReason) => {
+  const tell = (now: Told, reason: ChangeReason) => {
     const byUser = reason !== "host";
-    if (store.measured !== measured) {
-      measured = store.measured;
-      if (byUser) element.tell("measured-change", { measured });
-    }
-    submits();
+    const before = told;
+    told = now;
+    const copies = new Copies(now);
+    if (now.measured !== before.measured && byUser)
+      element.tell("measured-change", { measured: now.measured });
     // The text of a field may change without the job: `30+2` becomes 32 when the field is left.
-    if (told.job !== now().job) {
-      told.job = now().job;
-      if (byUser) {
-        store.outside.sent(told.job);
-        element.tell("job-change", detailOf(now().copies, ["job"], {}));
-        element.dispatchEvent(
-          new Event("input", { bubbles: true, composed: true }),
-        );
-      }
+    if (now.job !== before.job && byUser) {
+      store.outside.sent(now.job);
+      element.tell("job-change", detailOf(copies, ["job"], {}));
+      element.dispatchEvent(
+        new Event("input", { bubbles: true, composed: true }),
+      );
     }
-    if (told.plan !== now().plan) {
-      told.plan = now().plan;
-      element.tell("plan-change", detailOf(now().copies, ["plan"], {}));
-    }
-    if (told.findings !== now().findings) {
-      told.findings = now().findings;
+    if (now.plan !== before.plan)
+      element.tell("plan-change", detailOf(copies, ["plan"], {}));
+    if (now.findings !== before.findings) {
       const refused = { refused: false };
-      element.tell("finding", detailOf(now().copies, ["findings"], refused));
+      element.tell("finding", detailOf(copies, ["findings"], refused));
     }
-    const { job, plan, findings, copies } = now();
-    if (job === whole.job && plan === whole.plan && findings === whole.findings)
+    if (
+      now.job === before.job &&
+      now.plan === before.plan &&
+      now.findings === before.findings
+    )
       return;
-    whole = { job, plan, findings };
     const all = ["job", "plan", "findings"] as const;
     element.tell("change", detailOf(copies, all, { reason }));
+  };
+  const changed = (reason: ChangeReason) => {
+    waiting.push({ now: state(), reason });
+    submits();
+    if (busy) return;
+    busy = true;
+    try {
+      for (let next = waiting.shift(); next; next = waiting.shift())
+        tell(next.now, next.reason);
+    } finally {
+      busy = false;
+    }
   };
   store.addEventListener("change", () => {
     changed(store.changeReason);

@@ -232,7 +232,7 @@ export class TouchPath extends Showing {
 
   /** All errors, warnings and notes about the job: a copy. */
   get findings(): Finding[] {
-    return structuredClone(this.store?.findings ?? []);
+    return structuredClone(this.store?.wholeFindings ?? []);
   }
 
   /** Colours; `auto` follows the system. */
@@ -297,7 +297,7 @@ export class TouchPath extends Showing {
     return this.beforeLoad === null && (this.app?.save() ?? false);
   }
 
-  /** Whether there is a step to undo. It changes only with `change`. */
+  /** Whether there is a step to undo. It changes with `change` and `measured-change`, and where `readonly` or `history` is set. */
   get canUndo(): boolean {
     return this.store?.canUndo ?? false;
   }
@@ -626,10 +626,19 @@ export class TouchPath extends Showing {
   }
 }
 
-/** The value as JSON; null if JSON cannot represent it. */
+/** Most values of a job, as in the crate: the element's first file does not load its layout. */
+const MOST_VALUES = 20_000;
+
+/** The value as JSON; null if JSON cannot represent it, or it is too large for a job. */
 function textOf(value: unknown): string | null {
+  if (typeof value === "string") return value;
+  let values = 0;
+  const counted = (_: string, inner: unknown) => {
+    if (++values > MOST_VALUES) throw new Error("too large");
+    return inner;
+  };
   try {
-    return typeof value === "string" ? value : (JSON.stringify(value) ?? null);
+    return JSON.stringify(value, counted) ?? null;
   } catch {
     return null;
   }

@@ -81,12 +81,16 @@ function asJson(
   return `${JSON.stringify({ source, dialect, units, plane, moves: kind.length, rules, asks, calls, findings })}\n`;
 }
 
+/** A path as a relative address. */
+export const addressOf = (path: string): string =>
+  path.split(/[/\\]/).map(encodeURIComponent).join("/");
+
 /** The SARIF results of one program, as a JSON list. */
 function asResults(run: ProgramRun, source: string): string {
   const places = (lines: number[]) =>
     (lines.length === 0 ? [null] : lines).map((line) => ({
       physicalLocation: {
-        artifactLocation: { uri: source.replaceAll("\\", "/") },
+        artifactLocation: { uri: addressOf(source) },
         ...(line === null ? {} : { region: { startLine: line + 1 } }),
       },
     }));

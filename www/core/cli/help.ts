@@ -171,7 +171,7 @@ const HELP_OF_OPTIONS: readonly (readonly [
   ],
   [
     "--authorize FILE",
-    "a module whose default function says by method, path and headers whether a request is answered",
+    "a module whose default function gets method, path and headers, and returns whether the request is answered",
     ["serve"],
   ],
   [

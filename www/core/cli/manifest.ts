@@ -57,12 +57,15 @@ export function manifestOf(
   return `${JSON.stringify(list, null, 2)}\n`;
 }
 
-/** Whether a folder has a manifest of this command: another file of that name is no list of programs. */
+/** Whether a folder has a manifest of this command, perhaps a damaged one: another tool's file of that name is JSON without a version of Touchpath. */
 export async function hasList(folder: string): Promise<boolean> {
-  return listOf(folder).then(
-    () => true,
-    () => false,
-  );
+  const text = await readFile(join(folder, MANIFEST), "utf8").catch(() => null);
+  if (text === null) return false;
+  try {
+    return Object.hasOwn(JSON.parse(text), "touchpath");
+  } catch {
+    return true;
+  }
 }
 
 /** Reads the manifest of a folder. */

@@ -38,7 +38,10 @@ const answer = (description: string, type: string, schema: object) => ({
 const FAULTS: readonly [string, string][] = [
   ["400", "The body is no JSON, or the query says what there is not"],
   ["401", "The service's authorisation refuses the request"],
-  ["412", "The answer is the one whose ETag If-None-Match says"],
+  [
+    "412",
+    "The answer has the ETag of If-None-Match: the client has it already",
+  ],
   ["413", "The body is too long"],
   ["415", "The body is of another content type"],
   ["422", "The job has errors: findings says which"],

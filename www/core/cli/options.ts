@@ -89,7 +89,8 @@ export function taskOf(command: Task["command"], values: Values): Task {
       format,
       formats as NonNullable<Task["format"]>[],
     );
-    if (values.json && format !== "json")
+    const reports = command === "check" || command === "verify";
+    if (values.json && reports && format !== "json")
       throw new Refused("--format and --json are two forms of one output");
   }
   for (const option of ["by", "machine", "when", "note"] as const)

@@ -60,7 +60,8 @@ async function report(
   const to = task.command === "check" ? process.stdout : process.stderr;
   // A whole plan contains its findings.
   if (task.command === "plan" && task.whole && output) return;
-  if (values.json || task.format === "json") {
+  const asJson = task.command === "check" && task.format === "json";
+  if (values.json || asJson) {
     if (task.command === "check" || findings.length > 0)
       await write(to, `${JSON.stringify({ source, findings })}\n`);
     return;

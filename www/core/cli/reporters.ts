@@ -1,4 +1,5 @@
 // Outcomes in the formats of build tools.
+import { addressOf } from "./examine.js";
 import type { Outcome, PlacedFinding } from "./tasks.js";
 
 const LEVELS = { error: "error", warning: "warning", info: "notice" } as const;
@@ -103,7 +104,7 @@ export function sarifResults({ source, row, findings }: Outcome): string {
         locations: [
           {
             physicalLocation: {
-              artifactLocation: { uri: file.replaceAll("\\", "/") },
+              artifactLocation: { uri: addressOf(file) },
               ...(line === undefined ? {} : { region }),
             },
           },

@@ -43,7 +43,8 @@ export type Authorize = (request: {
 /** Paths that a probe or a monitor asks for without a name. */
 const UNGUARDED = ["/health", "/ready", "/metrics"];
 /** Lifetime of an answer under an address that contains version and config. */
-const FOR_EVER = "public, max-age=31536000, immutable";
+const NO_CACHE = "no-cache";
+const FOR_EVER = "max-age=31536000, immutable";
 
 /** Content types of the table formats. */
 const FORMATS: Record<string, string> = {
@@ -315,7 +316,6 @@ export class Service {
       app.use(
         cors({
           origin: origins.includes("*") ? "*" : origins,
-          allowHeaders: ["authorization", "content-type", "if-none-match"],
           exposeHeaders: ["etag", "x-request-id"],
         }),
       );
@@ -335,6 +335,7 @@ export class Service {
       if (status === 500)
         console.error(`${c.get("requestId")}: ${error.stack ?? error}`);
       if (status === 503) c.header("retry-after", "1");
+      c.header("cache-control", "no-store");
       // Does not wait for the rest of a body that is too long.
       if (status === 413) c.header("connection", "close");
       return c.json(
@@ -382,7 +383,7 @@ export class Service {
           return this.answer(c, route, job, lifetime);
         };
         // A cached answer is revalidated, which costs no plan.
-        app.get(route.path, (c) => read(c, "no-cache"));
+        app.get(route.path, (c) => read(c, NO_CACHE));
         // An address with the version always has the same answer.
         app.get(`/v/:edition${route.path}`, (c) => {
           if (c.req.param("edition") !== this.edition)
@@ -462,6 +463,12 @@ export class Service {
     socket.once("close", end);
   }
 
+  /** How long and by whom an answer is kept: where requests are authorised, no shared cache may hand it to others. */
+  private kept(lifetime: string): string {
+    const shared = this.settings.authorize ? "private" : "public";
+    return lifetime === FOR_EVER ? `${shared}, ${lifetime}` : NO_CACHE;
+  }
+
   private async answer(
     c: Context<Env>,
     route: Route,
@@ -477,7 +484,7 @@ export class Service {
     const reads = lifetime !== "";
     if (isKnown(c.req.header("if-none-match"), tag))
       return reads
-        ? c.body(null, 304, { etag: tag, "cache-control": lifetime })
+        ? c.body(null, 304, { etag: tag, "cache-control": this.kept(lifetime) })
         : c.json({ error: "the answer is the one that you have" }, 412, {
             etag: tag,
           });
@@ -497,7 +504,7 @@ export class Service {
     const isGood = outcome.output !== null || route.task.command === "check";
     // A failed answer gets no tag, so it is planned again.
     if (isGood) c.header("etag", tag);
-    if (reads) c.header("cache-control", isGood ? lifetime : "no-cache");
+    if (reads) c.header("cache-control", this.kept(isGood ? lifetime : ""));
     if (route.task.command === "check") return c.json(outcome.findings);
     if (!outcome.output) {
       const [first] = outcome.findings.filter(({ level }) => level === "error");

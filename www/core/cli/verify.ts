@@ -37,8 +37,11 @@ const STAMP = /Made by Touchpath |Blocks below: |^\s*$/i;
 
 const linesOf = (text: string) =>
   text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
-/** Blocks below the header with their lines; all blocks without a header. */
-function blocks(text: string): { line: number; text: string }[] {
+/** Blocks below the header with their lines, and the last line of the header; without a header all blocks, and 0. */
+function blocks(text: string): {
+  own: { line: number; text: string }[];
+  head: number;
+} {
   const all = linesOf(text).map((text, i) => ({
     line: i + 1,
     text: text.trimEnd(),
@@ -46,34 +49,48 @@ function blocks(text: string): { line: number; text: string }[] {
   const end = all.findIndex(({ text }) =>
     /Blocks below: [0-9A-F]+/i.test(text),
   );
-  return all.slice(end + 1).filter(({ text }) => !STAMP.test(text));
+  const own = all.slice(end + 1).filter(({ text }) => !STAMP.test(text));
+  return { own, head: end + 1 };
 }
 
-/** Most edits that are looked for. Programs that differ by more have little in common, and all their lines are listed. */
+/** Most edits that are looked for between the common beginning and end. */
 const MOST_EDITS = 2000;
 
-/** Lines that differ: each changed line with the expected one, and added and missing lines. */
+/** Lines that differ: each changed line with the expected one, and added and missing lines. `head`: the last line of the header. */
 function differing(
   is: { line: number; text: string }[],
   wanted: { text: string }[],
+  head: number,
 ): Verified["lines"] {
-  const texts = (list: { text: string }[]) => list.map(({ text }) => text);
-  const changes = diffArrays(texts(wanted), texts(is), {
-    maxEditLength: MOST_EDITS,
-  }) ?? [
-    { removed: true, added: false, value: texts(wanted) },
-    { removed: false, added: true, value: texts(is) },
+  const same = (i: number, j: number) => is[i]?.text === wanted[j]?.text;
+  const least = Math.min(is.length, wanted.length);
+  let begin = 0;
+  while (begin < least && same(begin, begin)) begin++;
+  let end = 0;
+  while (
+    end < least - begin &&
+    same(is.length - 1 - end, wanted.length - 1 - end)
+  )
+    end++;
+  const texts = (list: { text: string }[]) =>
+    list.slice(begin, list.length - end).map(({ text }) => text);
+  const [mine, theirs] = [texts(is), texts(wanted)];
+  const changes = diffArrays(theirs, mine, { maxEditLength: MOST_EDITS }) ?? [
+    { removed: true, added: false, value: theirs },
+    { removed: false, added: true, value: mine },
   ];
   const lines: Verified["lines"] = [];
-  let [next, missing, extra] = [0, [] as string[], [] as typeof is];
+  let [next, missing, extra] = [begin, [] as string[], [] as typeof is];
   const flush = () => {
-    const after = extra.at(-1)?.line ?? is[next - 1]?.line ?? 0;
+    const after = extra.at(-1)?.line ?? is[next - 1]?.line ?? head;
     for (let i = 0; i < Math.max(extra.length, missing.length); i++)
-      lines.push({
-        line: extra[i]?.line ?? after + 1,
-        is: extra[i]?.text ?? null,
-        wanted: missing[i] ?? null,
-      });
+      // Beyond the limit lines are compared in their order, and some are the same.
+      if (extra[i]?.text !== missing[i])
+        lines.push({
+          line: extra[i]?.line ?? after + 1,
+          is: extra[i]?.text ?? null,
+          wanted: missing[i] ?? null,
+        });
     [missing, extra] = [[], []];
   };
   for (const { added, removed, value } of changes) {
@@ -124,7 +141,8 @@ export function verified(text: string): Verified {
     if (!(thrown instanceof JobError)) throw thrown;
     return done("refused", "this version refuses its job", thrown.findings);
   }
-  const lines = differing(blocks(text), blocks(wanted));
+  const { own, head } = blocks(text);
+  const lines = differing(own, blocks(wanted).own, head);
   if (lines.length > 0) {
     const many =
       lines.length === 1 ? "a line differs" : `${lines.length} lines differ`;
