@@ -505,7 +505,12 @@ test("a job that no form can send was taken, and its form sent the one before: i
       refused,
       findings[0].code,
     ]),
-    Array(3).fill(["finding", true, "unreadable"]),
+    // An object that holds itself is nested without end.
+    ["unreadable", "unreadable", "too-long"].map((code) => [
+      "finding",
+      true,
+      code,
+    ]),
   );
 });
 
