@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { wordsOf } from "../../scripts/words.mjs";
+import { settles } from "./common.mjs";
 import {
   address,
   field,
@@ -50,12 +51,8 @@ test("panels, theme, slots, parts and custom properties", async () => {
   assert.equal(await background(), "rgb(255, 255, 255)");
   await set("theme", "auto");
   await page.emulateMedia({ colorScheme: "dark" });
-  // The browser applies the scheme in its next frame.
-  await page.waitForFunction(
-    () => matchMedia("(prefers-color-scheme: dark)").matches,
-  );
-  await page.evaluate(() => new Promise(requestAnimationFrame));
-  assert.equal(await background(), "rgb(18, 23, 29)");
+  // The browser applies the scheme some frames later.
+  await settles(async () => (await background()) === "rgb(18, 23, 29)", page);
   await page.addStyleTag({ url: address("own.css") }).catch(() => undefined);
   problems.splice(0);
   await on((element) =>
