@@ -307,28 +307,34 @@ export const PICTURE = "canvas:not(.over, .mini)";
 
 /** Ends of the dimension lines, in the window. */
 export const dimensionLines = () =>
-  steady(() =>
-    page.evaluate(() => {
-      const root = /** @type {ShadowRoot} */ (
-        document.querySelector("touch-path")?.shadowRoot
-      );
-      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-      const box = /** @type {HTMLElement} */ (
-        picture.querySelector("canvas")
-      ).getBoundingClientRect();
-      const all = picture.drawing.use((/** @type {any} */ view) =>
-        view.dimensionLines(),
-      );
-      return Object.fromEntries(
-        all.map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
+  onView((view, box) =>
+    Object.fromEntries(
+      view
+        .dimensionLines()
+        .map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
           field,
           [
             { x: box.x + x1, y: box.y + y1 },
             { x: box.x + x2, y: box.y + y2 },
           ],
         ]),
-      );
-    }),
+    ),
+  );
+
+/**
+ * Asks the page's picture, once it is settled: its View, and the box of its canvas in the window.
+ * @param {(view: any, box: { x: number, y: number, width: number, height: number }, arg: any) => unknown} work runs in the page
+ * @param {unknown} arg
+ * @returns {Promise<any>}
+ */
+export const onView = (work, arg = null) =>
+  steady(() =>
+    page.evaluate(`(() => {
+      const root = document.querySelector("touch-path").shadowRoot;
+      const picture = root.querySelector("tp-picture");
+      const box = picture.querySelector("canvas").getBoundingClientRect().toJSON();
+      return picture.drawing.use((view) => (${work})(view, box, ${JSON.stringify(arg)}));
+    })()`),
   );
 
 /** Waits until a change is drawn: once per frame. */

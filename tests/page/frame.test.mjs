@@ -7,6 +7,7 @@ import {
   field,
   held,
   more,
+  onView,
   open,
   PICTURE,
   page,
@@ -360,20 +361,11 @@ test("the times of the moves are the plan's time", async () => {
 
 test("a click on a dimension goes to its field, and a focused depth turns the picture to where it is seen", async () => {
   const place = () =>
-    page.evaluate(() => {
-      const root = /** @type {ShadowRoot} */ (
-        document.querySelector("touch-path")?.shadowRoot
-      );
-      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-      const box = /** @type {HTMLElement} */ (
-        picture.querySelector("canvas")
-      ).getBoundingClientRect();
-      return picture.drawing.use((/** @type {any} */ view) => {
-        for (let y = 0; y < box.height; y += 4)
-          if (view.dimensionAt(box.width / 2, y) === "cycle.width1")
-            return { x: box.x + box.width / 2, y: box.y + y + 6 };
-        return null;
-      });
+    onView((view, box) => {
+      for (let y = 0; y < box.height; y += 4)
+        if (view.dimensionAt(box.width / 2, y) === "cycle.width1")
+          return { x: box.x + box.width / 2, y: box.y + y + 6 };
+      return null;
     });
   // The name of width 1 is below or above the middle once the pocket is drawn.
   await settles(async () => (await place()) !== null);

@@ -5,39 +5,28 @@ import {
   dimensionLines,
   field,
   held,
+  onView,
   PICTURE,
   page,
   setUp,
-  steady,
 } from "./common.mjs";
 
 setUp();
 
 /** The picture's View and the middle of a handle in the window, with the pixels of one unit. */
 const handle = (/** @type {string} */ name) =>
-  steady(() =>
-    page.evaluate((name) => {
-      const root = /** @type {ShadowRoot} */ (
-        document.querySelector("touch-path")?.shadowRoot
-      );
-      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-      const box = /** @type {HTMLElement} */ (
-        picture.querySelector("canvas")
-      ).getBoundingClientRect();
-      return picture.drawing.use((/** @type {any} */ view) => {
-        const [x, y] = view.handleSpot(name);
-        const reach =
-          view.dragPart("shift", x + 1000, y).offset[0] -
-          view.dragPart("shift", x, y).offset[0];
-        return {
-          x: box.x + x,
-          y: box.y + y,
-          scale: 1000 / reach,
-          height: box.height,
-        };
-      });
-    }, name),
-  );
+  onView((view, box, name) => {
+    const [x, y] = view.handleSpot(name);
+    const reach =
+      view.dragPart("shift", x + 1000, y).offset[0] -
+      view.dragPart("shift", x, y).offset[0];
+    return {
+      x: box.x + x,
+      y: box.y + y,
+      scale: 1000 / reach,
+      height: box.height,
+    };
+  }, name);
 
 /** Drags from a position by this many pixels. */
 async function drag(

@@ -8,6 +8,7 @@ import {
   dimensionLines,
   field,
   framed,
+  onView,
   open,
   PICTURE,
   page,
@@ -16,7 +17,6 @@ import {
   SIZES,
   settles,
   setUp,
-  steady,
 } from "./common.mjs";
 
 setUp();
@@ -200,18 +200,7 @@ test("deviations are drawn ten and a hundred times as large, and not dragged the
   await button.click();
   assert.equal(await button.textContent(), "drawn ×100");
   assert.equal(new Set([one, ten, (await pixels()).sum]).size, 3);
-  const handle = () =>
-    steady(() =>
-      page.evaluate(() => {
-        const root = document.querySelector("touch-path")?.shadowRoot;
-        const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
-        return (
-          picture.drawing.use((/** @type {any} */ view) =>
-            view.handleSpot("shift"),
-          ) ?? null
-        );
-      }),
-    );
+  const handle = () => onView((view) => view.handleSpot("shift") ?? null);
   assert.equal(await handle(), null);
   await field("part.offset[0]").fill("0");
   assert.equal(await button.count(), 0);

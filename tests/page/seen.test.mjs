@@ -5,6 +5,7 @@ import {
   field,
   held,
   more,
+  onView,
   open,
   page,
   panel,
@@ -13,24 +14,15 @@ import {
   ready,
   settles,
   setUp,
-  steady,
   textOf,
 } from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
-/** The lines of the dimensions, pixels of the picture, by field. */
+/** The lines of the dimensions, pixels of the picture, by field. @type {() => Promise<[string, number, number, number, number][]>} */
 const lines = () =>
-  steady(() =>
-    page.evaluate(() => {
-      const root = document.querySelector("touch-path")?.shadowRoot;
-      const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
-      return /** @type {[string, number, number, number, number][]} */ (
-        picture.drawing.use((/** @type {any} */ view) =>
-          [...view.dimensionLines()].map((line) => [...line]),
-        )
-      );
-    }),
+  onView((view) =>
+    [...view.dimensionLines()].map((/** @type {any} */ line) => [...line]),
   );
 const lengthOf = async (/** @type {string} */ path) => {
   const [, x, y, u, v] = (await lines()).find(([field]) => field === path) ?? [
