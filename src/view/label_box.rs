@@ -22,7 +22,7 @@ impl LabelBox {
         Vec2::new(self.along.dot(off), self.along.perp_dot(off))
     }
 
-    /// Whether anything within this distance of a position may touch it: a quick look that leaves out most things of a picture.
+    /// Whether it may overlap something that reaches this far from a position. A quick check that excludes most of a picture.
     pub fn is_near(&self, at: Vec2, reach: f64) -> bool {
         (at - self.middle).abs().max_element() <= self.half.x + self.half.y + reach
     }

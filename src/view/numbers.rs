@@ -105,7 +105,7 @@ impl Camera {
         numbers
     }
 
-    /// Places the disc of a number where it covers least of the `placed` ones and of the `spots`.
+    /// Places the disc of a number so that it covers as few `placed` discs and `spots` as possible.
     fn place_number(
         &self,
         number: &mut Number,
@@ -127,8 +127,8 @@ impl Camera {
         let letters = number.label.bytes().filter(u8::is_ascii_alphabetic).count();
         let wide = 2.8 * number.label.len() as f64 + 2.2 * letters as f64 + 4.6;
         let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
-        // Everything that a place around the contact can cover.
-        let farthest = radius + off + RINGS * (2.0 * radius + 2.0);
+        // Everything that a place around the contact can cover: no middle of a place is farther from it.
+        let farthest = half.x + off + RINGS * (2.0 * radius + 2.0) + radius;
         let around = LabelBox {
             middle: number.contact,
             along: Vec2::X,
@@ -163,6 +163,14 @@ impl Camera {
                 continue;
             }
             let met = plates.iter().filter(|other| plate.meets(other)).count();
+            debug_assert_eq!(
+                met,
+                placed
+                    .iter()
+                    .filter(|other| plate.meets(&other.plate))
+                    .count(),
+                "nothing that is met was left out"
+            );
             let hidden = spots
                 .iter()
                 .filter(|spot| plate.covers(**spot, 3.0))

@@ -397,3 +397,26 @@ fn a_scene_leaves_the_corner_of_the_view_cube_free_if_it_has_room() {
     }
     assert!(shifted > 5, "{shifted}");
 }
+
+/// The longest names make the widest plates: a place for one is compared with everything that it can cover (asserted beside the comparison).
+#[test]
+fn numbers_with_long_names_are_compared_with_everything_that_they_can_cover() {
+    for (across, down) in [(14.0, 12.0), (22.0, 22.0), (40.0, 14.0)] {
+        let cycles: Vec<String> = (0..40)
+            .map(|i| {
+                let (x, y) = (across * f64::from(i % 8), down * f64::from(i / 8));
+                format!(
+                    "{{\"type\":\"hole\",\"name\":\"LONGESTNAM{i:02}\",\"diameter\":10,\"origin\":[{x},{y},0]}}"
+                )
+            })
+            .collect();
+        let text = format!("{{\"format\":2,\"cycles\":[{}]}}", cycles.join(","));
+        let job = crate::common::job(&text);
+        let svg = job::svg(&job, Projection::Top).unwrap();
+        assert_eq!(svg.matches(">LONGESTNAM").count(), 40);
+        // From the front several touches have one number, and a longer text.
+        for view in [Projection::Front, Projection::Side, Projection::Isometric] {
+            assert!(job::svg(&job, view).is_ok(), "{view:?}");
+        }
+    }
+}
