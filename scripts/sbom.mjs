@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { Enums, Models, Serialize, Spec } from "@cyclonedx/cyclonedx-library";
 import { at } from "./lib.mjs";
 
-/** The components that a list of licences names. The parts of one name and version are one. */
+/** The components in a list of licences, each name and version once. */
 function components(/** @type {string} */ licences) {
   const [crates = "", ...libraries] = licences
     .split(/^(?=# )/m)
@@ -24,7 +24,7 @@ function components(/** @type {string} */ licences) {
     .sort((a, b) => (a.purl < b.purl ? -1 : 1));
 }
 
-/** The bill of materials as JSON. It depends on the contents alone: without time and serial number. */
+/** The bill of materials as JSON. It has no time and no serial number, so the same contents give the same text. */
 export function sbom() {
   const { name, version, license } = JSON.parse(
     readFileSync(at("package.json"), "utf8"),

@@ -78,8 +78,8 @@ export abstract class Document extends Output {
   protected host = false;
   /** Cause of the user's current change. */
   private userReason: Exclude<ChangeReason, "host"> = "edit";
-  /** Whether the host page keeps the undo history. */
-  private historyAtHost = false;
+  /** Whether the user's steps are kept for undo; otherwise the host page has its own. */
+  private stepsKept = true;
   /** The default name of the job: while the job has it, the name follows what is measured. Null for another job. */
   protected automaticName: string | null = null;
   /** The number of documents so far. */
@@ -117,12 +117,12 @@ export abstract class Document extends Output {
 
   /** Whether the user's steps can be undone here; otherwise the host page has its own undo. */
   get keepsHistory(): boolean {
-    return !this.historyAtHost;
+    return this.stepsKept;
   }
 
   set keepsHistory(keeps: boolean) {
-    if (keeps === this.keepsHistory) return;
-    this.historyAtHost = !keeps;
+    if (keeps === this.stepsKept) return;
+    this.stepsKept = keeps;
     this.clear();
     this.asHost(() => this.dispatchEvent(new Event("change")));
   }

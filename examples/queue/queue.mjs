@@ -35,7 +35,7 @@ function answer(job) {
   }
 }
 
-/** Jobs in a message: sending a job alone costs four times as much as planning it. */
+/** Jobs in a message: sending a job costs several times as much as planning it. */
 const BATCH = 64;
 /** Batches under way at a time. More would only need more memory and connections. */
 const WINDOW = 16;

@@ -53,7 +53,7 @@ impl Checker {
         }
     }
 
-    /// The entries of a list, none if it is absent. Reports any other value.
+    /// The entries of a list; an absent list is empty. Reports any other value.
     pub fn list<'v>(&mut self, value: Option<&'v Value>, path: &str) -> Option<&'v [Value]> {
         match value {
             None => Some(&[]),
@@ -70,7 +70,7 @@ impl Checker {
         }
     }
 
-    /// The entries of an object, none if it is absent. Reports any other value.
+    /// The entries of an object; an absent object is empty. Reports any other value.
     pub fn object<'v>(
         &mut self,
         value: Option<&'v Value>,
@@ -240,9 +240,10 @@ impl Checker {
     }
 }
 
-/// The known word that differs least from a mistyped one: in case, or in a quarter of its letters. Two exchanged letters count as one.
+/// The known word that is most similar to a mistyped one. At most a quarter of the letters may differ; upper and lower case are the same, and two exchanged letters
+/// count as one.
 fn similar<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
-    // Longer texts are no mistyped words.
+    // A longer text is not a mistyped key.
     if word.len() > 40 {
         return None;
     }

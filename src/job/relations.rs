@@ -303,7 +303,7 @@ fn read_of(
     (of.len() == list.len() && check_kinds(checker, known.formula, &of, relation, at)).then_some(of)
 }
 
-/// The operand of a relation with this name, or the reason why there is none.
+/// The operand of a relation with this name, or the reason why the name cannot be used.
 fn read_operand(name: &str, known: &Operands<'_>, places: bool) -> Result<Operand, Text> {
     let found = if places {
         known.place(name)

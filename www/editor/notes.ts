@@ -47,7 +47,7 @@ export function isProbing({ kind, kinds, calls }: ProgramRun): boolean {
   return calls.length > 0 || kind.some((one) => kinds[one] === "probe");
 }
 
-/** Most lines of one rule or finding, and most notes of a program: an editor lists them all. */
+/** Largest number of marked lines of one rule or finding, and of notes of a program. */
 const MOST_LINES = 20;
 const MOST_NOTES = 1000;
 
@@ -69,7 +69,7 @@ export function notesOf(run: ProgramRun): Note[] {
   if (!isProbing(run)) return notes;
   for (const { rule, holds, message, lines } of run.rules) {
     if (holds === false) add("error", rule, message, lines);
-    // A rule that is unknown as a whole is no news at a line.
+    // An undecided rule without lines has no place in the text.
     else if (holds === null && lines.length > 0)
       add("info", rule, `Not known: ${message}`, lines);
   }
@@ -89,7 +89,7 @@ export function notesOf(run: ProgramRun): Note[] {
   return notes;
 }
 
-/** Plain words for a line, as Markdown: its native calls, its probing words, and where its moves go. `null` if there is nothing to say. */
+/** Help for a line, as Markdown: its native calls, its probing words, and the ends of its moves. `null` for a line without any of these. */
 export function wordsOf(
   run: ProgramRun,
   line: number,

@@ -212,7 +212,7 @@ pub fn hidden() -> Text {
 pub fn with_semicolons(text: &str) -> Vec<ReadError> {
     let mut troubles = Vec::new();
     let mut rest = text;
-    // Most texts have no blanks around them.
+    // Most texts have no semicolon.
     for line in 0.. {
         if memchr::memchr(b';', rest.as_bytes()).is_none() || troubles.len() == MOST_TROUBLES {
             break;

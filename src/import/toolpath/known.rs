@@ -157,7 +157,7 @@ fn is_unset(value: &Value) -> bool {
     matches!(value, Value::Null | Value::Other("undefined"))
 }
 
-/// The word of a list that a value names. Otherwise reports the list.
+/// The word of a list that a value contains. Reports the list if it contains another one.
 fn one_of(
     list: &[&'static str],
     given: &Value,
