@@ -1,7 +1,7 @@
 // What editors and other tools read of the elements: made of the doc comments of www/element/.
 export default {
   globs: ["www/element.ts", "www/element/*.ts"],
-  outdir: "dist",
+  outdir: "dist/touchpath-element",
   plugins: [
     {
       name: "public",
@@ -38,7 +38,7 @@ export default {
           },
         ];
         for (const module of customElementsManifest.modules) {
-          module.path = "dist/element/element.js";
+          module.path = "element/element.js";
           const shared = module.declarations.find(
             (/** @type {any} */ one) => one.name === "TouchPart",
           );
@@ -72,8 +72,7 @@ export default {
           }
         }
         const inPackage = (/** @type {any} */ one) => {
-          if (typeof one.module === "string")
-            one.module = "dist/element/element.js";
+          if (typeof one.module === "string") one.module = "element/element.js";
           for (const inside of Object.values(one))
             if (typeof inside === "object" && inside !== null)
               inPackage(inside);

@@ -17,6 +17,7 @@ export default defineConfig({
     outDir: "../../dist/cli",
     emptyOutDir: true,
     target: "node20",
+    minify: true,
     license: { fileName: "licences.txt" },
     rolldownOptions: {
       input: ["www/core/cli/touchpath.ts", "www/core/cli/worker.ts"],

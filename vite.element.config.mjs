@@ -19,6 +19,13 @@ const named = () => ({
       : null,
 });
 
+/** Files of the package that the bundle leaves alone, by their sources. @type {[RegExp, string][]} */
+const OWN = [
+  [/^.*core\/browser\.js$/, "../core.js"],
+  [/^.*core\/report\.js$/, "../report.js"],
+  [/^.*words\/([\w-]+)\.json$/, "../words/$1.js"],
+];
+
 export default defineConfig({
   root: "www",
   define: { VERSION: JSON.stringify(version) },
@@ -28,14 +35,14 @@ export default defineConfig({
     {
       name: "core",
       enforce: "pre",
-      resolveId: (id) =>
-        id.endsWith("core/browser.js")
-          ? { id: "../browser.js", external: true }
-          : null,
+      resolveId: (id) => {
+        const own = OWN.find(([source]) => source.test(id));
+        return own ? { id: id.replace(...own), external: true } : null;
+      },
     },
   ],
   build: {
-    outDir: "../dist/element",
+    outDir: "../dist/touchpath-element/element",
     emptyOutDir: true,
     target: "es2022",
     minify: true,

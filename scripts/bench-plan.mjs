@@ -618,7 +618,7 @@ const gzip = (/** @type {Buffer} */ file) =>
   gzipSync(file, { level: 9 }).length;
 // Loaded on demand: the words of a language, the editor of opened programs and the worker for long texts.
 const rare = [
-  ...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")),
+  ...readdirSync(at("www", "words")).map((name) => name.replace(".json", "-")),
   "program-editor-",
   "reader-",
   "rest-",

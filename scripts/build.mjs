@@ -4,6 +4,7 @@ import { createHash } from "node:crypto";
 import {
   appendFileSync,
   cpSync,
+  existsSync,
   mkdirSync,
   mkdtempSync,
   readdirSync,
@@ -17,6 +18,7 @@ import { basename, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { configSchema } from "./config-schema.mjs";
+import { elementManifest } from "./element-manifest.mjs";
 import {
   at,
   beside,
@@ -148,10 +150,6 @@ export async function writeModule(
     `${plain}\nexport function join(rest: WebAssembly.Module): void;\n`,
   );
   writeJoin(join(out, "touchpath.js"));
-  // For servers that are bundled into one file.
-  const wasm = readFileSync(`${out}/touchpath_bg.wasm`, "base64");
-  writeFileSync(`${out}/inline.js`, `export const base64 = "${wasm}";\n`);
-  writeFileSync(`${out}/inline.d.ts`, "export const base64: string;\n");
 }
 
 /** A module in two parts is joined in every instance. */
@@ -185,8 +183,8 @@ export async function writeParts(/** @type {boolean} */ quick) {
   writeFileSync(at("www", "core", "wasm", "rest.wasm"), rest);
 }
 
-/** Types of the element for frameworks. */
-const TYPES = ["attributes.d.ts", "svelte.d.ts", "vue.d.ts"];
+/** Folder of the package `touchpath-element`. */
+const ELEMENT = at("dist", "touchpath-element");
 
 /** Builds the package except for its bundles. */
 async function buildCore() {
@@ -197,20 +195,83 @@ async function buildCore() {
     recursive: true,
     filter: (path) => !/(first|rest)\.wasm$/.test(path),
   });
-  for (const name of [
-    "embed.html",
-    "frame.schema.json",
-    "react.d.ts",
-    "react.js",
-    ...TYPES,
-  ])
-    cpSync(at("www", name), at("dist", name));
-  cpSync(at("www", "page.css"), at("dist", "embed.css"));
-  mkdirSync(at("dist", "words"));
+  // The same as those of Node.
+  rmSync(at("dist", "workerd.d.ts"));
+  for (const folder of ["", "wasm"]) await minify(at("dist", folder));
+}
+
+/** Shrinks the scripts of a folder; their comments are in the types. */
+async function minify(/** @type {string} */ folder) {
+  // The build itself installs its package.
+  const { transform } = await import("esbuild");
+  const scripts = readdirSync(folder).filter((name) => name.endsWith(".js"));
+  for (const file of scripts.map((name) => join(folder, name))) {
+    const source = readFileSync(file, "utf8");
+    const { code } = await transform(source, { minify: true, format: "esm" });
+    writeFileSync(file, code);
+  }
+}
+
+/** Builds the package `touchpath-element` except for its bundles: it takes the functions from the package `touchpath`. */
+function buildElement() {
+  mkdirSync(join(ELEMENT, "words"), { recursive: true });
+  for (const name of readdirSync(at("www", "package")))
+    cpSync(at("www", "package", name), join(ELEMENT, name));
+  for (const name of ["embed", "events", "frame", "protocol"])
+    for (const ending of ["js", "d.ts"]) {
+      const file = at("dist", `${name}.${ending}`);
+      const text = readFileSync(file, "utf8")
+        .replaceAll('"./types.js"', '"touchpath"')
+        .replaceAll('"./browser.js"', '"./core.js"');
+      writeFileSync(join(ELEMENT, `${name}.${ending}`), text);
+      rmSync(file);
+    }
+  const write = (/** @type {string} */ name, /** @type {string} */ text) =>
+    writeFileSync(join(ELEMENT, name), text);
+  write("core.js", 'export * from "touchpath";\n');
+  write("report.js", 'export * from "touchpath/report";\n');
   for (const name of readdirSync(at("www", "words")).filter(
     (name) => name !== "core.json",
-  ))
-    cpSync(at("www", "words", name), at("dist", "words", name));
+  )) {
+    const words = JSON.parse(readFileSync(at("www", "words", name), "utf8"));
+    const language = basename(name, ".json");
+    write(
+      `words/${language}.js`,
+      `export default ${JSON.stringify(words, null, 1)};\n`,
+    );
+    write(
+      `words/${language}.d.ts`,
+      'import type { Words } from "touchpath";\ndeclare const words: Words;\nexport default words;\n',
+    );
+  }
+  cpSync(at("www", "page.css"), join(ELEMENT, "embed.css"));
+  for (const name of ["CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"])
+    cpSync(at(name), join(ELEMENT, name));
+  // The manual without its pictures, and the examples.
+  const manual = (/** @type {string} */ path) => !/\.(png|svg)$/.test(path);
+  const example = (/** @type {string} */ path) =>
+    !/\.(rs|pyc)$|__pycache__|node_modules/.test(path);
+  for (const [folder, filter] of /** @type {const} */ ([
+    ["docs", manual],
+    ["examples", example],
+  ]))
+    cpSync(at(folder), join(ELEMENT, folder), { recursive: true, filter });
+  const manifest = elementManifest();
+  for (const name of readdirSync(at("examples"))) {
+    const own = `examples/${name}/package.json`;
+    // Outside the repository an example takes the packages from the registry.
+    if (existsSync(join(ELEMENT, own)))
+      write(
+        own,
+        readFileSync(at(own), "utf8").replaceAll(
+          /"file:[^"]*"/g,
+          `"${manifest.version}"`,
+        ),
+      );
+  }
+  const json = (/** @type {unknown} */ value) =>
+    `${JSON.stringify(value, null, 2)}\n`;
+  write("package.json", json(manifest));
 }
 
 /** Types of the elements by file name: only their own, the core has the rest. */
@@ -223,7 +284,8 @@ async function elementTypes() {
     basename(file),
     readFileSync(join(types, file), "utf8")
       .replaceAll('"./element/', '"./')
-      .replaceAll(/"\.\.?\/core\/(types|events)\.js"/g, '"../$1.js"'),
+      .replaceAll(/"\.\.?\/core\/types\.js"/g, '"touchpath"')
+      .replaceAll(/"\.\.?\/core\/events\.js"/g, '"../events.js"'),
   ]);
   rmSync(types, { recursive: true });
   return Object.fromEntries(own);
@@ -246,27 +308,32 @@ async function buildBundles() {
     ),
   ]);
   for (const [name, text] of Object.entries(types))
-    writeFileSync(at("dist", "element", name), text);
-  const bundled = ["element", "cli"].map((folder) =>
-    at("dist", folder, "licences.txt"),
-  );
+    writeFileSync(join(ELEMENT, "element", name), text);
+  const take = (/** @type {string} */ file) => {
+    const text = readFileSync(file, "utf8");
+    rmSync(file);
+    return text;
+  };
   writeFileSync(
     at("dist", "licences.txt"),
-    [
-      crateLicences(),
-      ...bundled.map((file) => readFileSync(file, "utf8")),
-    ].join("\n"),
+    `${crateLicences()}\n${take(at("dist", "cli", "licences.txt"))}`,
   );
-  for (const file of bundled) rmSync(file);
+  writeFileSync(
+    join(ELEMENT, "licences.txt"),
+    take(join(ELEMENT, "element", "licences.txt")),
+  );
   // The build itself installs their packages.
   const [{ sbom }, { buildExtension }] = await Promise.all([
     import("./sbom.mjs"),
     import("./vscode.mjs"),
   ]);
-  writeFileSync(at("dist", "sbom.cdx.json"), sbom());
+  const bill = (/** @type {string} */ folder, /** @type {string} */ manifest) =>
+    writeFileSync(join(folder, "sbom.cdx.json"), sbom(folder, manifest));
+  bill(at("dist"), at("package.json"));
+  bill(ELEMENT, join(ELEMENT, "package.json"));
   await buildExtension();
   writeFileSync(
-    at("dist", "web-types.json"),
+    join(ELEMENT, "web-types.json"),
     `${JSON.stringify(webTypes(), null, 2)}\n`,
   );
 }
@@ -279,7 +346,7 @@ async function writeSchema() {
   // The build itself installs its package.
   const { answerSchema } = await import("./answer-schema.mjs");
   const write = (/** @type {string} */ name, /** @type {unknown} */ schema) =>
-    writeFileSync(at("dist", name), `${JSON.stringify(schema, null, 2)}\n`);
+    writeFileSync(at("dist", name), `${JSON.stringify(schema)}\n`);
   write("schema.json", jobSchema());
   write("answers.schema.json", answerSchema());
   write("config.schema.json", configSchema(catalog(), jobSchema()));
@@ -328,6 +395,7 @@ async function buildPage() {
 /** Builds the package and the page from an existing module; the page from its parts. */
 export async function buildPackage(parts = async () => {}) {
   await buildCore();
+  buildElement();
   // The manifest belongs to the elements and the schemas to the core: neither waits for the other.
   await Promise.all([buildBundles(), writeSchema(), parts().then(buildPage)]);
 }

@@ -1,12 +1,17 @@
 // Writes docs/reference.md from the package itself: doc comments of the types, the element's manifest, the command's help. With `check` it writes nothing and
 // fails if the file is stale.
 import { execFileSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { at } from "./lib.mjs";
 
-const read = (/** @type {string[]} */ ...path) =>
-  readFileSync(at("dist", ...path), "utf8");
+/** The folders of both packages. */
+const PACKAGES = [at("dist"), at("dist", "touchpath-element")];
+const read = (/** @type {string} */ path) => {
+  const files = PACKAGES.map((folder) => join(folder, path));
+  return readFileSync(files.find((file) => existsSync(file)) ?? path, "utf8");
+};
 
 /** A doc comment as one paragraph. */
 const plain = (/** @type {string} */ comment) =>
@@ -110,9 +115,8 @@ function view() {
   const own = /export interface View [\s\S]*?^\}/m.exec(types)?.[0] ?? "";
   const named = /Pick<raw\.View, ([^>]*)>/.exec(types)?.[1] ?? "";
   const whole =
-    /export class View \{[\s\S]*?^\}/m.exec(
-      read("wasm", "touchpath.d.ts"),
-    )?.[0] ?? "";
+    /export class View \{[\s\S]*?^\}/m.exec(read("wasm/touchpath.d.ts"))?.[0] ??
+    "";
   const method = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n +(\w+\([^;]*);/g;
   const taken = [...whole.matchAll(method)].filter(([, , code = ""]) =>
     named.includes(`"${code.split("(")[0]}"`),
@@ -188,7 +192,7 @@ const page = `# Reference
 
 <!-- generated: npm run build && node scripts/reference.mjs -->
 
-What the package offers, from its own doc comments. How it is put into a portal, a service or a project: [embedding](embedding.md).
+What the packages offer, from their own doc comments. How they are put into a portal, a service or a project: [embedding](embedding.md).
 
 ## Functions: \`import { plan } from "touchpath"\`
 
@@ -228,7 +232,7 @@ The fields of every cycle: [the manual](cycles/), \`touchpath/schema.json\`, and
 ${types("job-types.d.ts", (name) => name !== "Cycle" && !forms.names.includes(name))}
 ${forms.text}
 
-## The element: \`import "touchpath/element"\`
+## The element: \`import "touchpath-element"\`
 
 ${element()}
 ${parts()}
@@ -240,10 +244,10 @@ ${types("events.d.ts", (name) => name !== "EVENTS")}
 ${types("element/element.d.ts")}
 ### React
 
-\`import type {} from "touchpath/react"\` tells TSX of the element.
+\`import type {} from "touchpath-element/react"\` tells TSX of the element.
 
 ${types("react.d.ts")}
-## The frame: \`import { connect } from "touchpath/frame"\`
+## The frame: \`import { connect } from "touchpath-element/frame"\`
 
 ${types("frame.d.ts")}
 ### Messages

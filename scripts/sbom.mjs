@@ -1,14 +1,11 @@
 // Bill of materials (CycloneDX 1.6): the crates in the module and the libraries in the bundles. Its source is the list of licences, which the tools that bundle
 // them write.
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { Enums, Models, Serialize, Spec } from "@cyclonedx/cyclonedx-library";
-import { at } from "./lib.mjs";
 
 /** The components in a list of licences, each name and version once. */
 function components(/** @type {string} */ licences) {
-  const [crates = "", ...libraries] = licences
-    .split(/^(?=# )/m)
-    .filter(Boolean);
   const named = (/** @type {string} */ text, /** @type {string} */ kind) =>
     [...text.matchAll(/^## (\S+) - (\S+) \((.+)\)$/gm)].map(
       ([, name = "", version = "", licence = ""]) => ({
@@ -18,17 +15,24 @@ function components(/** @type {string} */ licences) {
         purl: `pkg:${kind}/${name.replace(/^@/, "%40")}@${version}`,
       }),
     );
-  const all = [...named(crates, "cargo"), ...named(libraries.join(""), "npm")];
+  const isCrates = (/** @type {string} */ list) =>
+    list.startsWith("# Licences of the crates");
+  const all = licences
+    .split(/^(?=# )/m)
+    .flatMap((list) => named(list, isCrates(list) ? "cargo" : "npm"));
   return [...new Map(all.map((one) => [one.purl, one])).values()]
     .filter(({ name }) => name !== "touchpath")
     .sort((a, b) => (a.purl < b.purl ? -1 : 1));
 }
 
-/** The bill of materials as JSON. It has no time and no serial number, so the same contents give the same text. */
-export function sbom() {
-  const { name, version, license } = JSON.parse(
-    readFileSync(at("package.json"), "utf8"),
-  );
+/**
+ * The bill of materials of a package, from its manifest and the licences in its folder. It has no time and no serial number, so the same contents give the same
+ * text.
+ * @param {string} folder
+ * @param {string} manifest
+ */
+export function sbom(folder, manifest) {
+  const { name, version, license } = JSON.parse(readFileSync(manifest, "utf8"));
   const component = (
     /** @type {string} */ name,
     /** @type {string} */ version,
@@ -48,7 +52,7 @@ export function sbom() {
     metadata: new Models.Metadata({ component: own }),
   });
   for (const { name, version, licence, purl } of components(
-    readFileSync(at("dist", "licences.txt"), "utf8"),
+    readFileSync(join(folder, "licences.txt"), "utf8"),
   )) {
     const part = component(name, version, licence, purl);
     bom.components.add(part);

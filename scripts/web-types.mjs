@@ -18,10 +18,12 @@ const described = (list = []) =>
 export function webTypes() {
   const json = (/** @type {string[]} */ ...path) =>
     JSON.parse(readFileSync(at(...path), "utf8"));
-  const { name, version } = json("package.json");
-  const declared = json("dist", "custom-elements.json").modules.flatMap(
-    (/** @type {any} */ module) => module.declarations,
-  );
+  const { name, version } = json("dist", "touchpath-element", "package.json");
+  const declared = json(
+    "dist",
+    "touchpath-element",
+    "custom-elements.json",
+  ).modules.flatMap((/** @type {any} */ module) => module.declarations);
   const elements = declared.map((/** @type {any} */ one) => {
     const fields = one.members.filter(
       (/** @type {any} */ member) => member.kind === "field",

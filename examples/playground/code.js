@@ -66,7 +66,7 @@ ${tag(size)}${config ? `\n  <script type="application/json">${indented(value(con
         : own;
       return `"use client";
 import { useState } from "react";
-import { TouchPath } from "touchpath/react";
+import { TouchPath } from "touchpath-element/react";
 ${config ? `\nconst config = ${value(config)};\n` : ""}
 export function Probing() {
   const [job, setJob] = useState();
@@ -79,7 +79,7 @@ export function Probing() {
     case "Vue":
       return `<script setup>
 // In vite.config.js: vue({ template: { compilerOptions: { isCustomElement: (tag) => tag.startsWith("touch-") } } })
-import "touchpath/element";
+import "touchpath-element";
 ${config ? `\nconst config = ${value(config)};\n` : ""}const keep = (event) => console.log(event.detail.job);
 </script>
 
@@ -89,7 +89,7 @@ ${config ? `\nconst config = ${value(config)};\n` : ""}const keep = (event) => c
 `;
     case "Svelte":
       return `<script>
-  import "touchpath/element";
+  import "touchpath-element";
 ${config ? `\n  const config = ${indented(value(config), 2)};\n` : ""}  const keep = (event) => console.log(event.detail.job);
 </script>
 
@@ -97,8 +97,8 @@ ${tag(`${config ? " {config}" : ""} onjob-change={keep}${size}`)}</touch-path>${
 `;
     case "Angular":
       return `import { Component, CUSTOM_ELEMENTS_SCHEMA } from "@angular/core";
-import "touchpath/element";
-import type { TouchPathEvents } from "touchpath/element";
+import "touchpath-element";
+import type { TouchPathEvents } from "touchpath-element";
 
 @Component({
   selector: "app-probing",

@@ -1,6 +1,6 @@
 // The playground: what is set here is set on a live element, and written as code.
-import { catalog } from "../../dist/browser.js";
-import "../../dist/element/element.js";
+import { catalog } from "./touchpath/core/browser.js";
+import "./touchpath/element/element.js";
 import { code, FRAMEWORKS } from "./code.js";
 
 const EVENTS = [

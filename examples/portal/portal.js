@@ -1,5 +1,5 @@
 // A portal with a list of jobs, one element to edit them and one to look at what comes of it. Programs are collected, and saved as one zip.
-import "touchpath/element";
+import "touchpath-element";
 import { strToU8, zipSync } from "fflate";
 
 /** The jobs of the order, by name; a portal would have them from its server. */

@@ -1,9 +1,9 @@
-// Rendered by the browser alone: React 19 sets the properties of the tag and listens to its events. For a tree that a server renders there is `TouchPath` of touchpath/react.
+// Rendered by the browser alone: React 19 sets the properties of the tag and listens to its events. For a tree that a server renders there is `TouchPath` of touchpath-element/react.
 import { useState } from "react";
 import { createRoot } from "react-dom/client";
 import type { AnyJob } from "touchpath";
-import "touchpath/element";
-import type {} from "touchpath/react"; // the types of <touch-path>
+import "touchpath-element";
+import type {} from "touchpath-element/react"; // the types of <touch-path>
 
 function Probing() {
   const [job, setJob] = useState<AnyJob>({ format: 1, name: "FROM_REACT", cycle: { type: "hole", diameter: 30 } });

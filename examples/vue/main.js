@@ -1,7 +1,7 @@
 // Vue sets properties of custom elements where they have them (`.job`), and listens to their events. With single-file components, tell the compiler
 // that the tag is an element: compilerOptions.isCustomElement = (tag) => tag === "touch-path".
 import { createApp, h, ref } from "vue";
-import "touchpath/element";
+import "touchpath-element";
 
 createApp({
   setup() {

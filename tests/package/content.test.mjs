@@ -1,6 +1,7 @@
-// Contents of the package and the crate: required files with their licences, and nothing else.
+// Contents of the packages and the crate: required files with their licences, and nothing else.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, posix, relative } from "node:path";
 import { test } from "node:test";
@@ -9,74 +10,96 @@ import { catalog } from "touchpath";
 
 const cwd = fileURLToPath(new URL("../..", import.meta.url));
 
-test("the package had no licence text", () => {
-  const [packed] = JSON.parse(
-    execFileSync("npm", ["pack", "--dry-run", "--json"], {
-      cwd,
+/** The two packages: folder, and the folder of what the build makes for it. */
+const CORE = { folder: cwd, built: join(cwd, "dist") };
+const ELEMENT = {
+  folder: join(cwd, "dist", "touchpath-element"),
+  built: join(cwd, "dist", "touchpath-element"),
+};
+
+/** Packed size of a package, and its files in order. @returns {{ size: number, files: string[] }} */
+function packed({ folder } = CORE) {
+  const args = ["pack", "--dry-run", "--json"];
+  const [{ size, files }] = JSON.parse(
+    execFileSync("npm", args, {
+      cwd: folder,
       encoding: "utf8",
       stdio: "pipe",
     }),
   );
-  const names = packed.files
-    .map((/** @type {{ path: string }} */ f) => f.path)
-    .sort();
-  const core = [
+  const names = files.map((/** @type {{ path: string }} */ { path }) => path);
+  return { size, files: names.sort() };
+}
+
+const modules = (/** @type {string[]} */ ...names) =>
+  names.flatMap((name) => [`${name}.d.ts`, `${name}.js`]);
+const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT"];
+
+test("touchpath has the functions, one copy of the module and the command, in a megabyte", () => {
+  const { size, files } = packed();
+  const own = modules(
     "api",
     "browser",
     "coded",
     "config-types",
-    "embed",
-    "frame",
     "init",
-    "inline",
     "instance",
     "job-types",
     "layout",
+    "load",
     "node",
     "plan",
     "plan-types",
     "program-posts",
-    "protocol",
     "report",
     "results",
     "said",
     "types",
     "unpacked",
-    "workerd",
+    "wasm/touchpath",
+  );
+  const command = ["pool", "serve", "tasks", "touchpath", "worker"];
+  const wanted = [
+    ...[
+      ...own,
+      ...command.map((name) => `cli/${name}.js`),
+      "answers.schema.json",
+      "config.schema.json",
+      "licences.txt",
+      "sbom.cdx.json",
+      "schema.json",
+      "wasm/touchpath_bg.wasm",
+      "wasm/touchpath_bg.wasm.d.ts",
+      "workerd.js",
+    ].map((name) => `dist/${name}`),
+    ...LICENCES,
+    "README.md",
+    "package.json",
   ];
-  const modules = core.flatMap((name) => [
-    `dist/${name}.d.ts`,
-    `dist/${name}.js`,
-  ]);
+  assert.deepEqual(files, wanted.sort());
+  assert.ok(size <= 1_000_000, `${size} bytes packed`);
+});
+
+test("touchpath-element has the element, its words, the frame and the manual", () => {
+  const { files } = packed(ELEMENT);
   // What the element loads is cut into pieces as the bundler likes: their number may change, their kind may not.
-  const pieces = names.filter((/** @type {string} */ name) =>
-    name.startsWith("dist/element/"),
-  );
+  const pieces = files.filter((name) => name.startsWith("element/"));
   assert.ok(
-    pieces.includes("dist/element/element.js") &&
-      pieces.includes("dist/element/element.d.ts"),
+    pieces.includes("element/element.js") &&
+      pieces.includes("element/element.d.ts"),
     pieces.join(),
   );
   assert.ok(
-    pieces.filter((/** @type {string} */ name) => name.endsWith(".js")).length <
-      21 &&
-      pieces.every((/** @type {string} */ name) =>
-        /\/[a-zA-Z-]+(\.d\.ts|\.js)$/.test(name),
-      ),
+    pieces.filter((name) => name.endsWith(".js")).length < 16 &&
+      pieces.every((name) => /\/[a-zA-Z-]+(\.d\.ts|\.js)$/.test(name)),
     pieces.join(),
   );
-  const wasm = [
-    "inline.d.ts",
-    "inline.js",
-    "touchpath.d.ts",
-    "touchpath.js",
-    "touchpath_bg.wasm",
-    "touchpath_bg.wasm.d.ts",
-  ].map((f) => `dist/wasm/${f}`);
-  // The manual, which README, types and catalog point to, and the examples that it points to.
+  // The manual, which README, types and catalog point to, and the examples that it points to. The pictures stay in the repository.
   const all = (/** @type {string} */ folder) =>
     readdirSync(join(cwd, folder), { recursive: true, withFileTypes: true })
-      .filter((entry) => entry.isFile() && !/\.(rs|pyc)$/.test(entry.name))
+      .filter(
+        (entry) => entry.isFile() && !/\.(rs|pyc|png|svg)$/.test(entry.name),
+      )
       .map((entry) =>
         relative(cwd, join(entry.parentPath, entry.name)).replaceAll("\\", "/"),
       );
@@ -89,59 +112,82 @@ test("the package had no licence text", () => {
     for (const [, link = ""] of links) {
       const target = posix.join(dirname(page), link).replace(/\/$/, "");
       assert.ok(
-        names.some(
-          (/** @type {string} */ name) =>
-            name === target || name.startsWith(`${target}/`),
-        ),
+        /\.(png|svg)$/.test(target) ||
+          files.some(
+            (name) => name === target || name.startsWith(`${target}/`),
+          ),
         `${page}: ${link}`,
       );
     }
   }
   for (const { doc } of catalog().cycles) assert.ok(manual.includes(doc), doc);
   const wanted = [
-    ...modules,
-    ...manual,
     ...pieces,
-    "dist/cli/pool.js",
-    "dist/cli/serve.js",
-    "dist/cli/tasks.js",
-    "dist/cli/touchpath.js",
-    "dist/cli/worker.js",
-    "dist/custom-elements.json",
-    "dist/embed.css",
-    "dist/embed.html",
-    "dist/events.d.ts",
-    "dist/events.js",
-    "dist/answers.schema.json",
-    "dist/config.schema.json",
-    "dist/frame.schema.json",
-    "dist/attributes.d.ts",
-    "dist/react.d.ts",
-    "dist/svelte.d.ts",
-    "dist/vue.d.ts",
-    "dist/web-types.json",
-    "dist/react.js",
-    "dist/sbom.cdx.json",
-    "dist/schema.json",
-    "dist/words/de.json",
-    "dist/words/ru.json",
-    "dist/words/zh-Hans.json",
-    "dist/words/zh-Hant.json",
-    ...wasm,
-    "dist/licences.txt",
-    "dist/load.d.ts",
-    "dist/load.js",
+    ...manual,
+    ...modules(
+      "embed",
+      "events",
+      "frame",
+      "protocol",
+      "react",
+      "words/de",
+      "words/ru",
+      "words/zh-Hans",
+      "words/zh-Hant",
+    ),
+    "attributes.d.ts",
+    "core.js",
+    "custom-elements.json",
+    "embed.css",
+    "embed.html",
+    "frame.schema.json",
+    "licences.txt",
+    "report.js",
+    "sbom.cdx.json",
+    "site.js",
+    "svelte.d.ts",
+    "vue.d.ts",
+    "web-types.json",
+    ...LICENCES,
     "CHANGELOG.md",
-    "LICENSE-APACHE",
-    "LICENSE-MIT",
     "README.md",
     "package.json",
   ];
-  assert.deepEqual(names, wanted.sort());
-  const notices = readFileSync(join(cwd, "dist", "licences.txt"), "utf8");
-  assert.match(notices, /lit[\s\S]*Google/, "what the element bundles");
+  assert.deepEqual(files, wanted.sort());
+});
+
+test("no file is shipped twice, in one package or in both", () => {
+  /** @type {Map<string, string>} */
+  const seen = new Map();
+  for (const { folder } of [CORE, ELEMENT])
+    for (const name of packed({ folder, built: folder }).files) {
+      if (LICENCES.includes(name)) continue;
+      const bytes = readFileSync(join(folder, name));
+      // A module of types has an empty script, and a script an empty module of types.
+      if (bytes.length < 12) continue;
+      const hash = createHash("sha256").update(bytes).digest("hex");
+      assert.ok(!seen.has(hash), `${name} is ${seen.get(hash)}`);
+      seen.set(hash, name);
+    }
+});
+
+test("both packages have the same version, and the licences of what they contain", () => {
+  const manifest = ({ folder } = CORE) =>
+    JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const { version, dependencies } = manifest(ELEMENT);
+  assert.deepEqual(
+    [version, dependencies],
+    [manifest().version, { touchpath: manifest().version }],
+  );
+  const notices = ({ built } = CORE) =>
+    readFileSync(join(built, "licences.txt"), "utf8");
   assert.match(
-    notices,
+    notices(ELEMENT),
+    /lit[\s\S]*Google/,
+    "what the element bundles",
+  );
+  assert.match(
+    notices(),
     /tinyglobby[\s\S]*Permission/,
     "what the command bundles",
   );
@@ -154,8 +200,9 @@ test("the package had no licence text", () => {
     "web-sys",
   ]) {
     const own =
-      notices.split(/^## /m).find((part) => part.startsWith(`${crate} - `)) ??
-      "";
+      notices()
+        .split(/^## /m)
+        .find((part) => part.startsWith(`${crate} - `)) ?? "";
     assert.match(own, /Permission is hereby granted|Apache License/, crate);
   }
 });

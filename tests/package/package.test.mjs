@@ -432,7 +432,6 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
     join(user, "use.ts"),
     `import { catalog, check, defaultJob, evaluate, importJob, JobError, measure, moveColumns, plan, version } from "touchpath";
 import type { Catalog, Finding, Job, Measurement, Move, MoveColumns, ParameterRow, Plan, PostId, ResultRow, SetUp, Vec3 } from "touchpath";
-import { PROTOCOL } from "touchpath/frame";
 const job: Job = defaultJob("internal-rectangle-protected");
 const short: Job = { format: 1, cycle: { type: "double-wall-internal-corner", count1: 3 }, feeds: { approach: null } };
 const found: Finding[] = check(short);
@@ -451,7 +450,7 @@ whole.part = { rotation: 1 };
 whole.cycle.properties = { wcsMode: 1 };
 whole.cycle.touches = [{ point: [0, 0, 0], vector: [1, 0, 0] }];
 const posts: PostId[] = catalog().posts.map((post) => post.id);
-console.log(whole, posts, PROTOCOL satisfies 1);
+console.log(whole, posts);
 const read = importJob("x");
 const taken: Job | SetUp | null = read.job;
 const drawn: number =

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { EVENTS } from "../../dist/events.js";
+import { EVENTS } from "../../dist/touchpath-element/events.js";
 import { at } from "../../scripts/lib.mjs";
 import { field, on, open, page, set, setUp } from "./element.mjs";
 
@@ -230,7 +230,10 @@ test("a job of a million codes is refused before it is copied, as an object and 
 
 test("the list of events is that of the element's description", () => {
   const [{ declarations }] = JSON.parse(
-    readFileSync(at("dist", "custom-elements.json"), "utf8"),
+    readFileSync(
+      at("dist", "touchpath-element", "custom-elements.json"),
+      "utf8",
+    ),
   ).modules;
   const described = declarations
     .find((/** @type {any} */ one) => one.name === "TouchPath")

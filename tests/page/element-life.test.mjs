@@ -69,7 +69,7 @@ test("200 times into the page and out of it leave nothing behind", async () => {
       metrics.find((m) => m.name === name)?.value ?? Number.NaN;
     const memory = await page.evaluate(async () => {
       const { default: init } = await import(
-        /* @vite-ignore */ `${location.origin}/touchpath/wasm/touchpath.js`
+        /* @vite-ignore */ `${location.origin}/touchpath/core/wasm/touchpath.js`
       );
       return (await init()).memory.buffer.byteLength;
     });
@@ -134,7 +134,7 @@ test("an element that cannot be loaded says so, and its promise fails", async ()
   cpSync(join(folder, "touchpath"), join(folder, "broken"), {
     recursive: true,
   });
-  rmSync(join(folder, "broken", "wasm", "touchpath_bg.wasm"));
+  rmSync(join(folder, "broken", "core", "wasm", "touchpath_bg.wasm"));
   writeFileSync(
     join(folder, "broken.html"),
     `<!doctype html><title>x</title><script type="module" src="broken/element/element.js"></script><touch-path></touch-path>`,

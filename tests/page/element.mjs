@@ -1,17 +1,12 @@
 // Shared by the tests of <touch-path>: a host page, the package's files beside it, and the real browser.
 import assert from "node:assert/strict";
-import {
-  cpSync,
-  mkdtempSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
+import { site } from "../site.mjs";
 import { launch } from "./common.mjs";
 
 /** @import {} from "../../www/element.ts" */
@@ -40,10 +35,7 @@ export const POLICY =
 export function setUp() {
   before(async () => {
     folder = mkdtempSync(join(tmpdir(), "touchpath-element-"));
-    cpSync(at("dist"), join(folder, "touchpath"), {
-      recursive: true,
-      filter: (source) => !source.startsWith(at("dist", "page")),
-    });
+    site(join(folder, "touchpath"));
     server = await serve(0, folder);
     browser = await launch();
     context = await browser.newContext({

@@ -14,6 +14,7 @@ import { Ajv2020 } from "ajv/dist/2020.js";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
+import { site } from "../site.mjs";
 import { launch, panel } from "./common.mjs";
 import { inner } from "./element.mjs";
 
@@ -30,7 +31,9 @@ const origin = (/** @type {number} */ n) =>
     0,
     -1,
   );
-const schema = JSON.parse(readFileSync(at("www", "frame.schema.json"), "utf8"));
+const schema = JSON.parse(
+  readFileSync(at("www", "package", "frame.schema.json"), "utf8"),
+);
 const ajv = new Ajv2020({ allowUnionTypes: true }).addSchema(schema);
 const isSpoken = (/** @type {string} */ kind, /** @type {unknown} */ message) =>
   assert.ok(
@@ -44,10 +47,7 @@ const SANDBOX = "allow-scripts allow-same-origin allow-forms allow-downloads";
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "touchpath-frame-"));
   const own = join(folder, "own");
-  cpSync(at("dist"), own, {
-    recursive: true,
-    filter: (source) => !source.startsWith(at("dist", "page")),
-  });
+  site(own);
   const portal = join(folder, "portal");
   cpSync(join(own, "frame.js"), join(portal, "frame.js"));
   cpSync(join(own, "protocol.js"), join(portal, "protocol.js"));
@@ -704,7 +704,7 @@ test("a frame that was taken out answers nothing: what is asked of it fails", as
 });
 
 test("a frame whose module cannot be loaded says so at once", async () => {
-  const wasm = join(folder, "own", "wasm", "touchpath_bg.wasm");
+  const wasm = join(folder, "own", "core", "wasm", "touchpath_bg.wasm");
   const kept = readFileSync(wasm);
   rmSync(wasm);
   try {

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, before, beforeEach, test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
+import { site } from "../site.mjs";
 import { launch, settles } from "./common.mjs";
 
 /** @type {import("node:http").Server} */
@@ -21,13 +22,8 @@ let problems = [];
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "touchpath-playground-"));
-  cpSync(at("dist"), join(folder, "dist"), {
-    recursive: true,
-    filter: (path) => !path.startsWith(at("dist", "page")),
-  });
-  cpSync(at("examples", "playground"), join(folder, "examples", "playground"), {
-    recursive: true,
-  });
+  cpSync(at("examples", "playground"), folder, { recursive: true });
+  site(join(folder, "touchpath"));
   server = await serve(0, folder);
   browser = await launch();
 });
@@ -40,7 +36,7 @@ beforeEach(async () => {
     "console",
     (message) => message.type() === "error" && problems.push(message.text()),
   );
-  await page.goto(`${addressOf(server)}examples/playground/index.html`);
+  await page.goto(`${addressOf(server)}index.html`);
   await ready();
 });
 after(async () => {
@@ -210,10 +206,7 @@ test("the HTML that is written shows what the playground shows", async () => {
     .getByLabel("Example of a config")
     .selectOption({ label: "A fixed feed, a hidden field" });
   const program = await of("plan.program.text");
-  const html = (await codeOf("HTML")).replace(
-    "touchpath/element",
-    "/dist/element",
-  );
+  const html = await codeOf("HTML");
   await page.route("**/written.html", (route) =>
     route.fulfill({
       contentType: "text/html",

@@ -1,19 +1,13 @@
 // The element in projects of every kind, built and opened under a policy that only allows their own files and WebAssembly.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import {
-  cpSync,
-  mkdirSync,
-  readdirSync,
-  readFileSync,
-  writeFileSync,
-} from "node:fs";
+import { cpSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
 import { test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf } from "../../scripts/serve.mjs";
-import { inBrowser, project, tarball } from "./installed.mjs";
+import { inBrowser, project, tarballs } from "./installed.mjs";
 
 const { open, servers } = inBrowser();
 
@@ -22,7 +16,7 @@ const policy = (other = "") =>
 const html = (/** @type {string} */ script, csp = policy()) =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${csp}"><title>User</title><script type="module" src="${script}"></script><touch-path cycle="boss"></touch-path></html>`;
 /** A user's script: the element, and a function of the package. */
-const MAIN = `import "touchpath/element";
+const MAIN = `import "touchpath-element";
 import { defaultJob, plan } from "touchpath";
 document.title = String(plan(defaultJob("hole")).moves.length);
 `;
@@ -129,20 +123,23 @@ test("esbuild, with the module copied beside what it writes", async () => {
   await opens(join(own, "dist"));
 });
 
+/** The files for a web server, copied by the package's own command. */
+const copySite = (/** @type {string} */ own) =>
+  execFileSync(
+    join(own, "node_modules", ".bin", "touchpath-element"),
+    ["site/touchpath"],
+    { cwd: own },
+  );
+
 test("a folder with the files, and no tool at all", async () => {
   const own = project("plain");
-  mkdirSync(join(own, "site"));
-  cpSync(
-    join(own, "node_modules", "touchpath", "dist"),
-    join(own, "site", "touchpath"),
-    { recursive: true },
-  );
+  copySite(own);
   writeFileSync(
     join(own, "site", "main.js"),
     MAIN.replace(
-      '"touchpath/element"',
+      '"touchpath-element"',
       '"./touchpath/element/element.js"',
-    ).replace('"touchpath"', '"./touchpath/browser.js"'),
+    ).replace('"touchpath"', '"./touchpath/core/browser.js"'),
   );
   writeFileSync(join(own, "site", "index.html"), html("./main.js"));
   await opens(join(own, "site"));
@@ -150,7 +147,8 @@ test("a folder with the files, and no tool at all", async () => {
 
 test("modules that come from another origin", async () => {
   const own = project("elsewhere");
-  const dist = join(own, "node_modules", "touchpath", "dist");
+  copySite(own);
+  const dist = join(own, "site", "touchpath");
   const types = /** @type {Record<string, string>} */ ({
     ".js": "text/javascript",
     ".wasm": "application/wasm",
@@ -168,7 +166,6 @@ test("modules that come from another origin", async () => {
   );
   servers.push(elsewhere);
   const origin = addressOf(elsewhere).slice(0, -1);
-  mkdirSync(join(own, "site"));
   writeFileSync(
     join(own, "site", "index.html"),
     html(`${origin}/element/element.js`, policy(origin)),
@@ -193,7 +190,7 @@ test("Node: a script, threads, a server that renders the tag", () => {
     join(own, "main.mjs"),
     `import { isMainThread, parentPort, Worker } from "node:worker_threads";
 import { defaultJob, plan } from "touchpath";
-import "touchpath/element";
+import "touchpath-element";
 import schema from "touchpath/schema.json" with { type: "json" };
 const lines = plan(defaultJob("hole")).program.text.split("\\n").length;
 if (isMainThread) {
@@ -244,8 +241,8 @@ test("the types of the element and of the frame, in strict TypeScript", () => {
   const own = project("types", ["typescript"]);
   writeFileSync(
     join(own, "use.ts"),
-    `import { define, TouchPath, type TouchPathEvents } from "touchpath/element";
-import { connect, FrameError, type FrameView } from "touchpath/frame";
+    `import { define, TouchPath, type TouchPathEvents } from "touchpath-element";
+import { connect, FrameError, type FrameView } from "touchpath-element/frame";
 const element: TouchPath = document.createElement("touch-path");
 element.job = { format: 1, cycle: { type: "hole", diameter: 20 } };
 element.job = { format: 2, cycles: [{ type: "hole", name: "BORE" }, { type: "surface" }] };
@@ -289,8 +286,8 @@ test("Vue's templates and Svelte's markup know the element, and refuse what it d
   ]);
   writeFileSync(
     join(own, "use.ts"),
-    `import type {} from "touchpath/svelte";
-import type {} from "touchpath/vue";
+    `import type {} from "touchpath-element/svelte";
+import type {} from "touchpath-element/vue";
 import type { SvelteHTMLElements } from "svelte/elements";
 import type { GlobalComponents } from "vue";
 type Vue = InstanceType<GlobalComponents["touch-path"]>["$props"];
@@ -323,12 +320,11 @@ export const plan: Svelte = { "onplan-change": ({ detail }) => console.log(detai
 
 test("JetBrains' editors know the element: every attribute, property and event of its manifest", () => {
   const json = (/** @type {string} */ name) =>
-    JSON.parse(readFileSync(at("dist", name), "utf8"));
-  const own = JSON.parse(readFileSync(at("package.json"), "utf8"));
-  assert.equal(own["web-types"], "dist/web-types.json");
-  const types = json("web-types.json");
+    JSON.parse(readFileSync(at("dist", "touchpath-element", name), "utf8"));
+  const own = json("package.json");
+  const types = json(own["web-types"]);
   const [element, ...parts] = types.contributions.html.elements;
-  const [declared] = json("custom-elements.json").modules.flatMap(
+  const [declared] = json(own.customElements).modules.flatMap(
     (/** @type {any} */ one) => one.declarations,
   );
   assert.deepEqual(
@@ -360,15 +356,17 @@ test("publint and Are the types wrong? find nothing", async () => {
       encoding: "utf8",
       stdio: "pipe",
     });
-  assert.match(run("publint", "--strict", tarball), /All good/);
-  // Files that are no modules have no types.
-  run(
-    "attw",
-    tarball,
-    "--profile",
-    "esm-only",
-    "--exclude-entrypoints",
-    "touchpath.wasm",
-    "embed.html",
-  );
+  for (const tarball of tarballs) {
+    assert.match(run("publint", "--strict", tarball), /All good/);
+    // Files that are no modules have no types.
+    run(
+      "attw",
+      tarball,
+      "--profile",
+      "esm-only",
+      "--exclude-entrypoints",
+      "touchpath.wasm",
+      "embed.html",
+    );
+  }
 });

@@ -109,7 +109,7 @@ test("the element was unknown in React's TSX: the example compiles, and a proper
   writeFileSync(join(own, "dom.d.ts"), 'declare module "react-dom/client";\n');
   writeFileSync(
     join(own, "wrong.tsx"),
-    `import { TouchForm, TouchPath } from "touchpath/react";
+    `import { TouchForm, TouchPath } from "touchpath-element/react";
 // @ts-expect-error there is no such theme
 export const theme = <touch-path theme="drak" />;
 // @ts-expect-error there is no such control

@@ -1,4 +1,4 @@
-// The package as users have it: packed, unpacked beside the libraries of a project, and built with the project's own tools.
+// The packages as users have them: packed, unpacked beside the libraries of a project, and built with the project's own tools.
 import { execFileSync } from "node:child_process";
 import {
   cpSync,
@@ -27,15 +27,17 @@ const npm = (/** @type {string[]} */ args, cwd = folder) =>
     stdio: ["ignore", "pipe", "pipe"],
   });
 
-/** The package's tarball. */
-export const tarball = join(
-  folder,
-  JSON.parse(npm(["pack", "--json", "--pack-destination", folder], at()))[0]
-    .filename,
+/** The tarballs of both packages. */
+export const tarballs = [at(), at("dist", "touchpath-element")].map((from) =>
+  join(
+    folder,
+    JSON.parse(npm(["pack", "--json", "--pack-destination", folder], from))[0]
+      .filename,
+  ),
 );
 
 /**
- * A project with the package in it, installed from its tarball, and these libraries of the repository.
+ * A project with both packages in it, installed from their tarballs, and these libraries of the repository.
  * @param {string} name
  * @param {string[]} libraries
  * @param {string} [from] a folder of `examples/` to begin with
@@ -52,7 +54,7 @@ export function project(name, libraries = [], from) {
     join(own, "package.json"),
     '{ "private": true, "type": "module" }',
   );
-  npm(["install", "--offline", "--no-audit", "--no-fund", tarball], own);
+  npm(["install", "--offline", "--no-audit", "--no-fund", ...tarballs], own);
   for (const library of libraries) {
     const place = join(own, "node_modules", library);
     if (existsSync(place)) continue;

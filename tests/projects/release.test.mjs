@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
 import { test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 
@@ -52,52 +53,58 @@ test("every link of the README leads to a file of the repository, where a regist
   assert.deepEqual(missing, []);
 });
 
-test("the bill of materials names every crate and library that is shipped", async () => {
-  const { components, dependencies } = JSON.parse(
-    readFileSync(at("dist", "sbom.cdx.json"), "utf8"),
-  );
-  /** @type {string[]} */
-  const named = components.map((/** @type {any} */ one) => one.purl);
-  const lock = readFileSync(at("Cargo.lock"), "utf8");
-  const { packages } = JSON.parse(
-    readFileSync(at("package-lock.json"), "utf8"),
-  );
-  for (const purl of named) {
-    const [, kind, name = "", version] = /** @type {string[]} */ (
-      /^pkg:(cargo|npm)\/(.+)@([^@]+)$/.exec(purl)
-    );
-    if (kind === "cargo")
-      assert.ok(
-        lock.includes(`name = "${name}"\nversion = "${version}"`),
-        purl,
-      );
-    else
-      assert.equal(
-        packages[`node_modules/${decodeURIComponent(name)}`]?.version,
-        version,
-        purl,
-      );
-  }
+for (const [name, folder, wanted] of /** @type {const} */ ([
   // The direct dependencies of the crate, and what the page is made with.
-  const wanted = [
-    "glam",
-    "serde_json",
-    "wasm-bindgen",
-    "strsim",
-    "lit",
-    "hono",
-  ];
-  for (const name of wanted)
-    assert.ok(
-      named.some((purl) => purl.includes(`/${name}@`)),
-      name,
+  [
+    "touchpath",
+    at("dist"),
+    ["glam", "serde_json", "wasm-bindgen", "strsim", "hono"],
+  ],
+  [
+    "touchpath-element",
+    at("dist", "touchpath-element"),
+    ["lit", "%40codemirror/view"],
+  ],
+]))
+  test(`the bill of materials of ${name} names every crate and library that is shipped`, async () => {
+    const { components, dependencies } = JSON.parse(
+      readFileSync(join(folder, "sbom.cdx.json"), "utf8"),
     );
-  const own = dependencies.find((/** @type {any} */ one) =>
-    one.ref.startsWith("pkg:npm/touchpath@"),
-  );
-  assert.equal(own.dependsOn.length, named.length);
-  assert.ok(components.every((/** @type {any} */ one) => one.licenses.length));
-});
+    /** @type {string[]} */
+    const named = components.map((/** @type {any} */ one) => one.purl);
+    const lock = readFileSync(at("Cargo.lock"), "utf8");
+    const { packages } = JSON.parse(
+      readFileSync(at("package-lock.json"), "utf8"),
+    );
+    for (const purl of named) {
+      const [, kind, name = "", version] = /** @type {string[]} */ (
+        /^pkg:(cargo|npm)\/(.+)@([^@]+)$/.exec(purl)
+      );
+      if (kind === "cargo")
+        assert.ok(
+          lock.includes(`name = "${name}"\nversion = "${version}"`),
+          purl,
+        );
+      else
+        assert.equal(
+          packages[`node_modules/${decodeURIComponent(name)}`]?.version,
+          version,
+          purl,
+        );
+    }
+    for (const library of wanted)
+      assert.ok(
+        named.some((purl) => purl.includes(`/${library}@`)),
+        library,
+      );
+    const own = dependencies.find((/** @type {any} */ one) =>
+      one.ref.startsWith(`pkg:npm/${name}@`),
+    );
+    assert.equal(own.dependsOn.length, named.length);
+    assert.ok(
+      components.every((/** @type {any} */ one) => one.licenses.length),
+    );
+  });
 
 test("a release is refused where a version or the changelog does not fit or a placeholder is left, and the workflow asks before it publishes", () => {
   const release = (/** @type {string} */ tag) =>
@@ -134,6 +141,7 @@ test("a release is refused where a version or the changelog does not fit or a pl
     "scripts/release.mjs",
     "cargo publish --dry-run",
     "npm publish --provenance",
+    "npm publish ./dist/touchpath-element --provenance",
     "cargo publish --locked",
   ].map((step) => workflow.indexOf(step));
   assert.ok(

@@ -16,9 +16,20 @@ const script = (/** @type {string} */ from, before = "") =>
 const ran = (/** @type {string} */ file, cwd = folder) =>
   execFileSync("node", [file], { cwd, encoding: "utf8" });
 
+/** What the command of a project prints. */
+const touchpath = (
+  /** @type {string} */ own,
+  /** @type {string[]} */ ...args
+) =>
+  execFileSync(join(own, "node_modules", ".bin", "touchpath"), args, {
+    encoding: "utf8",
+    maxBuffer: 2 ** 24,
+  });
+
 test("a server that is bundled into one file has the module inside", async () => {
   const own = project("single");
-  writeFileSync(join(own, "server.js"), script("touchpath/inline"));
+  writeFileSync(join(own, "inline.ts"), touchpath(own, "inline"));
+  writeFileSync(join(own, "server.js"), script("./inline.ts"));
   const { build } = await import("esbuild");
   for (const [format, ending] of /** @type {const} */ ([
     ["esm", "mjs"],
@@ -89,32 +100,12 @@ test("workerd gets the module where it is imported", async () => {
   assert.equal(ran("dist.mjs", own), WANTED);
 });
 
-test("a server component takes the module from inside, whoever bundles it", () => {
-  const own = project("server-component");
-  writeFileSync(join(own, "component.js"), script("touchpath"));
-  const said = execFileSync(
-    "node",
-    ["--conditions", "react-server", "component.js"],
-    { cwd: own, encoding: "utf8" },
-  );
-  assert.equal(said, WANTED);
-  const where = [
-    "--conditions",
-    "react-server",
-    "--input-type=module",
-    "-e",
-    'console.log(import.meta.resolve("touchpath"))',
-  ];
-  const place = execFileSync("node", where, { cwd: own, encoding: "utf8" });
-  assert.match(place, /dist\/inline\.js/);
-});
-
 test("React: what a server rendered is hydrated with its job and its listeners", async () => {
   const own = project("hydrated", ["react", "react-dom", "scheduler"]);
   writeFileSync(
     join(own, "probe.js"),
     `import { createElement as h, useState } from "react";
-import { TouchForm, TouchPath } from "touchpath/react";
+import { TouchForm, TouchPath } from "touchpath-element/react";
 export function Probe() {
   const [job, setJob] = useState({ format: 1, name: "HYDRATED", cycle: { type: "hole", diameter: 30 } });
   const [readonly, lock] = useState(false);

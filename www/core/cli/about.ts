@@ -1,4 +1,5 @@
 // Commands without jobs: the meaning of a code, a new job, tool lengths, conversion of units, help for one command.
+import { readFileSync } from "node:fs";
 import {
   catalog,
   convertUnits,
@@ -8,6 +9,7 @@ import {
   type LentoaxQuery,
   lentoax,
   lentoaxWords,
+  version,
 } from "../node.js";
 import { CODES, RULES } from "./codes.js";
 import { Refused } from "./folder.js";
@@ -106,6 +108,20 @@ export function toolLengths(text: string | undefined, json: boolean): string {
   } catch (thrown) {
     throw refused(thrown);
   }
+}
+
+/** A script with the functions and the module, for servers that are bundled into one file. It is TypeScript as well. */
+export function inlined(): string {
+  // Written so that no bundler takes it for an asset and replaces the address.
+  const beside = (path: string) => new URL(path, import.meta.url);
+  const module = readFileSync(beside("../wasm/touchpath_bg.wasm"), "base64");
+  return `// Made by \`touchpath inline\`, version ${version()}: make it again after an update.
+import { init } from "touchpath/init";
+
+export * from "touchpath/init";
+
+init(Uint8Array.from(atob("${module}"), (c) => c.charCodeAt(0)));
+`;
 }
 
 /** A job in other units. */

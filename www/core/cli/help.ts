@@ -46,6 +46,10 @@ const COMMANDS = {
     "",
     "jobs over HTTP: plans, programs, tables, pictures, results; OpenAPI, metrics",
   ],
+  inline: [
+    "",
+    "a script with the functions and the module, for a server that is bundled into one file",
+  ],
   schema: ["", "the JSON Schema of a job"],
   catalog: ["", "cycles, fields and controls"],
 } as const satisfies Record<string, readonly [string, string, string?]>;

@@ -7,7 +7,7 @@ import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { catalog, jobSchema, version } from "../node.js";
 import { clock } from "../report.js";
-import { converted, explain, newJob, toolLengths } from "./about.js";
+import { converted, explain, inlined, newJob, toolLengths } from "./about.js";
 import { completion } from "./completion.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { type Command, completed, FORMS, help, JOBS, NAMES } from "./help.js";
@@ -81,6 +81,9 @@ async function answered(
       if (values.form !== undefined) oneOf("--form", values.form, FORMS);
       return newJob(given, values);
     }
+    case "inline":
+      takes([0, 0], "no arguments");
+      return inlined();
     case "convert":
       takes([1, 1], "a job", "units");
       if (values.units === undefined)

@@ -1,4 +1,4 @@
-// Types of the elements in Vue templates: `import type {} from "touchpath/vue"` in any file of a project.
+// Types of the elements in Vue templates: `import type {} from "touchpath-element/vue"` in any file of a project.
 import type { HTMLAttributes, PublicProps } from "vue";
 import type {
   TouchPartAttributes,

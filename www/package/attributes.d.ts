@@ -1,6 +1,7 @@
 // Attributes of the elements, as the types of frameworks need them.
+
+import type { AnyJob, Config, Cycle, PostId } from "touchpath";
 import type { TouchPath, TouchPathEvents } from "./element/element.js";
-import type { AnyJob, Config, Cycle, PostId } from "./types.js";
 
 /** The properties of `<touch-path>`. */
 export interface TouchPathAttributes {

@@ -1,4 +1,4 @@
-// `<touch-path>` as a component, and the types of the plain tags in TSX: `import type {} from "touchpath/react"` in any file of a project.
+// `<touch-path>` as a component, and the types of the plain tags in TSX: `import type {} from "touchpath-element/react"` in any file of a project.
 import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
 import type {
   TouchPartAttributes,

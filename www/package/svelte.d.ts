@@ -1,4 +1,4 @@
-// Types of the elements in Svelte markup: `import type {} from "touchpath/svelte"` in any file of a project.
+// Types of the elements in Svelte markup: `import type {} from "touchpath-element/svelte"` in any file of a project.
 import type { HTMLAttributes } from "svelte/elements";
 import type {
   TouchPartAttributes,
