@@ -190,24 +190,29 @@ const ELEMENT = at("dist", "touchpath-element");
 async function buildCore() {
   rmSync(at("dist"), { recursive: true, force: true });
   await npx("tsc", "-p", "tsconfig.package.json");
-  // Only the page uses the parts of the module.
+  // Only the page uses the parts of the module, and nobody its bare exports.
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), {
     recursive: true,
-    filter: (path) => !/(first|rest)\.wasm$/.test(path),
+    filter: (path) => !/(first|rest)\.wasm$|_bg\.wasm\.d\.ts$/.test(path),
   });
   // The same as those of Node.
   rmSync(at("dist", "workerd.d.ts"));
-  for (const folder of ["", "wasm"]) await minify(at("dist", folder));
+  for (const folder of ["", "wasm"]) await withoutComments(at("dist", folder));
 }
 
-/** Shrinks the scripts of a folder; their comments are in the types. */
-async function minify(/** @type {string} */ folder) {
+/** Takes the comments out of the scripts of a folder: the types have them. */
+async function withoutComments(/** @type {string} */ folder) {
   // The build itself installs its package.
   const { transform } = await import("esbuild");
   const scripts = readdirSync(folder).filter((name) => name.endsWith(".js"));
   for (const file of scripts.map((name) => join(folder, name))) {
     const source = readFileSync(file, "utf8");
-    const { code } = await transform(source, { minify: true, format: "esm" });
+    const { code } = await transform(source, {
+      minifySyntax: true,
+      minifyWhitespace: true,
+      // Node shows the line of an error that nobody catches. Bundlers look for `import.meta.url` within a line.
+      lineLimit: source.includes("import.meta") ? undefined : 100,
+    });
     writeFileSync(file, code);
   }
 }
@@ -234,16 +239,15 @@ function buildElement() {
     (name) => name !== "core.json",
   )) {
     const words = JSON.parse(readFileSync(at("www", "words", name), "utf8"));
-    const language = basename(name, ".json");
     write(
-      `words/${language}.js`,
+      `words/${basename(name, ".json")}.js`,
       `export default ${JSON.stringify(words, null, 1)};\n`,
     );
-    write(
-      `words/${language}.d.ts`,
-      'import type { Words } from "touchpath";\ndeclare const words: Words;\nexport default words;\n',
-    );
   }
+  write(
+    "words/words.d.ts",
+    'import type { Words } from "touchpath";\ndeclare const words: Words;\nexport default words;\n',
+  );
   cpSync(at("www", "page.css"), join(ELEMENT, "embed.css"));
   for (const name of ["CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"])
     cpSync(at(name), join(ELEMENT, name));
@@ -327,10 +331,15 @@ async function buildBundles() {
     import("./sbom.mjs"),
     import("./vscode.mjs"),
   ]);
-  const bill = (/** @type {string} */ folder, /** @type {string} */ manifest) =>
-    writeFileSync(join(folder, "sbom.cdx.json"), sbom(folder, manifest));
-  bill(at("dist"), at("package.json"));
-  bill(ELEMENT, join(ELEMENT, "package.json"));
+  mkdirSync(at("dist", "sbom"));
+  for (const [name, folder, manifest] of /** @type {const} */ ([
+    ["touchpath", at("dist"), at("package.json")],
+    ["touchpath-element", ELEMENT, join(ELEMENT, "package.json")],
+  ]))
+    writeFileSync(
+      at("dist", "sbom", `${name}.cdx.json`),
+      sbom(folder, manifest),
+    );
   await buildExtension();
   writeFileSync(
     join(ELEMENT, "web-types.json"),

@@ -29,7 +29,7 @@ export function elementManifest() {
       "./react": entry("./react"),
       "./svelte": { types: "./svelte.d.ts" },
       "./vue": { types: "./vue.d.ts" },
-      "./words/*": entry("./words/*"),
+      "./words/*": { types: "./words/words.d.ts", default: "./words/*.js" },
       "./embed.html": "./embed.html",
       "./frame.schema.json": "./frame.schema.json",
       "./custom-elements.json": "./custom-elements.json",

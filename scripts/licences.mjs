@@ -34,16 +34,22 @@ function crates() {
     .sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
-/** Every crate with its licence files, as text. */
+/** Every crate with its licence files, as text. A text that several crates have is printed once. */
 export function crateLicences() {
+  /** The crate of each text. @type {Map<string, string>} */
+  const printed = new Map();
   const parts = crates().map(({ name, version, license, manifest_path }) => {
     const folder = dirname(manifest_path);
     const files = readdirSync(folder)
       .filter((file) => /^(licen[cs]e|copying|notice)/i.test(file))
       .sort();
-    const texts = files.map((file) =>
-      readFileSync(join(folder, file), "utf8").trim(),
-    );
+    const texts = files.map((file) => {
+      const text = readFileSync(join(folder, file), "utf8").trim();
+      const other = printed.get(text);
+      printed.set(text, other ?? name);
+      const title = text.split("\n", 1)[0]?.trim();
+      return other ? `${title}: the text is that of ${other} above.` : text;
+    });
     return [
       `## ${name} - ${version} (${license ?? "see below"})`,
       ...texts,
