@@ -61,6 +61,7 @@ export function answers(): Raw {
     measure: early,
     importJob: early,
     readProgram: early,
+    insertProgram: early,
     runProgram: early,
     jobSchema: early,
     exportTable: early,

@@ -260,7 +260,7 @@ pub fn read(text: &str) -> HeaderLines<'_> {
 }
 
 /// The comment on a line, without its sign: `(…)`, `; …`, or `12 ; …` as Klartext numbers it.
-fn comment(line: &str) -> Option<&str> {
+pub fn comment(line: &str) -> Option<&str> {
     let line = without_count(line.trim());
     if let Some(inner) = line.strip_prefix('(') {
         return inner.strip_suffix(')');

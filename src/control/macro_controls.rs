@@ -4,6 +4,7 @@
 //! units, beginning and end of a program. Ours, and marked [I] in the docs: that the macros move like those for Haas, 9821, 9822 and 9834 on a Brother and an
 //! Okuma, and the variables that save results.
 
+use crate::control::inside::{self, Inside};
 use crate::control::iso::writer::{self, Dialect};
 use crate::control::native_run::NativeCycles;
 use crate::control::renishaw::cycles;
@@ -80,6 +81,10 @@ pub(super) static OKUMA: PostDef = PostDef {
     check: |request, checker| checked(request, &OKUMA_CALLS, checker),
     emit: |request| post::emit(request, &OKUMA_CALLS),
     own: Some(&OKUMA_OWN),
+    inside: Some(Inside {
+        end: "M2",
+        ..inside::PLAIN
+    }),
     ..CALLER
 };
 
@@ -102,6 +107,7 @@ const CALLER: PostDef = PostDef {
     supports,
     check: |request, checker| checked(request, &CALLS, checker),
     own: Some(&OWN),
+    inside: Some(inside::NUMBERED),
     offset_has_rotation: false,
     ..BASE
 };

@@ -7,6 +7,7 @@ mod fanuc;
 mod grbl;
 pub mod header;
 pub mod heidenhain;
+pub mod inside;
 pub mod iso;
 mod linuxcnc;
 mod macro_controls;
@@ -206,6 +207,8 @@ pub struct PostDef {
     pub read: Option<Reader>,
     /// Its native cycles, if their path is known.
     pub own: Option<&'static native_run::NativeCycles>,
+    /// How its program is put into another one; `None` if that is not possible.
+    pub inside: Option<inside::Inside>,
     /// For controls whose programs cannot write a work offset although the user can: the block to type at the end of the program, from the measured datum
     /// (abscissa, ordinate and tool axis, mm) and the number of the work offset.
     pub manual_offset_block: Option<TypedWrite>,
@@ -251,6 +254,7 @@ pub const BASE: PostDef = PostDef {
     },
     read: None,
     own: None,
+    inside: Some(inside::PLAIN),
     manual_offset_block: None,
 };
 

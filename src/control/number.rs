@@ -10,6 +10,10 @@ use crate::text::text;
 /// Number if none is chosen.
 const DEFAULT: i32 = 1000;
 
+/// Comment of a program whose job has no number. A program inside another one has no number at all.
+pub(super) const NOT_CHOSEN: &str =
+    "No number was chosen: this may replace a program O1000 of the control";
+
 /// Digits of a constant. More are an alarm on some controls.
 pub(super) const DIGITS: usize = 8;
 

@@ -271,6 +271,10 @@ pub const CODES: &[(&str, &str)] = &[
         "mixed-forms",
         "A text of measured values has several kinds of them: which ones count is not clear.",
     ),
+    (
+        "modes-set",
+        "Modes that an inserted program leaves active in the program around it.",
+    ),
     ("more-findings", "More was found than is listed."),
     (
         "moves-before-cycle",
@@ -322,6 +326,10 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     ("no-moves", "A text gives no move that can be read."),
     (
+        "no-place",
+        "A program is to be put into another one, and no place for it is given or found.",
+    ),
+    (
         "no-results-in-program",
         "The control has no arithmetic: the program reports touches and computes nothing.",
     ),
@@ -370,6 +378,10 @@ pub const CODES: &[(&str, &str)] = &[
     (
         "not-in-program",
         "Values that a program does not give are defaults.",
+    ),
+    (
+        "not-inserted",
+        "A program cannot be put into another one: the control, the language, the units, the labels, or a shift that is active there.",
     ),
     ("not-json", "The text is not JSON."),
     (
@@ -838,6 +850,10 @@ pub const CODES: &[(&str, &str)] = &[
         "The form cannot show a job: the message gives the part.",
     ),
     ("unusual", "A number is allowed, but unusual."),
+    (
+        "variables-shared",
+        "An inserted program changes variables that the program around it uses.",
+    ),
     (
         "vector-not-in-plane",
         "A target vector must lie in the working plane.",

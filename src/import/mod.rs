@@ -4,6 +4,7 @@ mod call_to_job;
 mod codes;
 mod dialect_markers;
 mod dump;
+pub mod insert;
 mod klartext;
 mod program;
 pub mod toolpath;
@@ -14,6 +15,7 @@ pub use dump::recognises as is_dump;
 pub use program::{TraceMove, TraceRow};
 pub use toolpath::{Toolpath, read_program};
 
+use crate::control::inside;
 use crate::cycle::CycleDef;
 use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
@@ -113,6 +115,9 @@ fn refused_as_too_long(message: Text) -> JobError {
 pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobError> {
     check_length(text)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    // A program inside another one is read as a program of its own.
+    let alone = inside::alone(text);
+    let text = alone.as_deref().unwrap_or(text);
     if let Some(json) = json.filter(|json| matches!(json, Value::Map(_) | Value::List(_))) {
         let codes = codes::json_entries(json);
         let dump = codes.iter().any(|e| e.code == -1);

@@ -55,6 +55,24 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     Ok(result.into())
 }
 
+/// A program with the program of a job in it: `{ text, first, count, places, findings }`. `line` is the 0-based line behind which it goes; without one it goes
+/// behind the tool change of the probe.
+#[wasm_bindgen(js_name = insertProgram)]
+pub fn insert_program(
+    codes: &[f64],
+    text: &str,
+    other: &[u8],
+    length: usize,
+    line: Option<usize>,
+) -> Result<JsValue, JsValue> {
+    if length > toolpath::LONGEST_PROGRAM {
+        return Err(refused(toolpath::too_long(length)));
+    }
+    let job = decoded(codes, text);
+    let insertion = import::insert::insert(&job, &utf8(other), line).map_err(refused)?;
+    to_js(&insertion)
+}
+
 /// The moves of any program, as columns; throws if the text is too long or the dialect unknown. The text comes as UTF-8, which is several times as fast as a
 /// string; for one that is too long only the length is passed.
 #[wasm_bindgen(js_name = readProgram)]

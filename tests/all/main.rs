@@ -15,6 +15,7 @@ mod faults;
 mod generated;
 mod golden;
 mod inertia;
+mod inside;
 mod iso286;
 
 mod klartext_cycles;

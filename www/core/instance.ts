@@ -55,6 +55,13 @@ export interface Raw {
   ): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
+  insertProgram(
+    codes: Float64Array,
+    text: string,
+    other: Uint8Array,
+    length: number,
+    line?: number,
+  ): unknown;
   runProgram(
     text: Uint8Array,
     length: number,

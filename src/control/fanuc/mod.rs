@@ -19,6 +19,7 @@ mod skip;
 use self::check::{check, check_haas_feeds};
 use self::flavour::{Flavour, PLAIN, WITH_ALARMS};
 use self::skip::{IN_POSITION, emit};
+use crate::control::inside;
 use crate::control::iso::registers::ComputeTiming;
 use crate::control::iso::writer::{self, Dialect};
 use crate::control::native_run::NativeCycles;
@@ -97,6 +98,7 @@ const KIN: PostDef = PostDef {
     check: checked,
     emit: |request| emit(request, &PLAIN),
     offset_has_rotation: false,
+    inside: Some(inside::NUMBERED),
     ..BASE
 };
 

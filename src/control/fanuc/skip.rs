@@ -285,7 +285,7 @@ impl Moves for SkipWriter<'_> {
         w.line(&number::line(request));
         w.header(&write_summary::line(request, write_summary::ONCE));
         if number::chosen(request).is_none() {
-            w.comment("No number was chosen: this may replace a program O1000 of the control");
+            w.comment(number::NOT_CHOSEN);
         }
         self.head(w);
         let more = if request.writes_offset() {

@@ -10,6 +10,7 @@
 mod read;
 mod write;
 
+use crate::control::inside::{self, Inside};
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
 use crate::control::moves::{self, MoveContext, Moves, each_piece};
 use crate::control::rules;
@@ -158,6 +159,10 @@ const GRBL_BASE: PostDef = PostDef {
     read: Some(read::read),
     manual_offset_block: Some(write::typed),
     offset_has_rotation: false,
+    inside: Some(Inside {
+        end: "M2",
+        ..inside::PLAIN
+    }),
     ..BASE
 };
 

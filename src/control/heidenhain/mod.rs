@@ -59,6 +59,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     own: Some(&plan_calls::CYCLES),
+    inside: None,
     ..BASE
 };
 

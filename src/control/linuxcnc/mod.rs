@@ -12,6 +12,7 @@ mod read;
 
 use std::borrow::Cow;
 
+use crate::control::inside::{self, Inside};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards,
@@ -56,6 +57,11 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
+    inside: Some(Inside {
+        end: "M2",
+        labels: inside::Labels::OWords,
+        ..inside::PLAIN
+    }),
     ..BASE
 };
 

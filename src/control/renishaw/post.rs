@@ -319,7 +319,7 @@ fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Write
         ": by the macro that measures it",
     ));
     if numbered && number::chosen(request).is_none() {
-        w.comment("No number was chosen: this may replace a program O1000 of the control");
+        w.comment(number::NOT_CHOSEN);
     }
     if request.post.dialect.units == ("", "") {
         let unit = if request.scale == 1.0 { "mm" } else { "inch" };

@@ -20,6 +20,7 @@ mod read;
 use std::borrow::Cow;
 use std::ops::Range;
 
+use crate::control::inside::{self, Inside, Labels};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{
@@ -59,6 +60,12 @@ pub static DEF: PostDef = PostDef {
     emit,
     read: Some(read::read),
     own: Some(&plan_calls::CYCLES),
+    inside: Some(Inside {
+        jump: Some(("GOTOF TP_END", "TP_END:")),
+        declares: "DEF ",
+        labels: Labels::Names,
+        ..inside::PLAIN
+    }),
     ..BASE
 };
 

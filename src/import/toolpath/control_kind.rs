@@ -81,7 +81,7 @@ pub fn program_post_title(post: &str) -> Option<&'static str> {
 }
 
 /// Dialect of a control's programs, by its key.
-pub(super) fn dialect_of(post: &str) -> Option<&'static str> {
+pub(in crate::import) fn dialect_of(post: &str) -> Option<&'static str> {
     told(post).map(|(.., dialect, _)| DIALECTS[*dialect])
 }
 

@@ -5,14 +5,14 @@
 
 mod block;
 mod calls;
-mod control_kind;
+pub(in crate::import) mod control_kind;
 mod count;
 mod findings;
 mod flow;
 mod foreign;
 mod fork;
 mod frames;
-mod guess;
+pub(in crate::import) mod guess;
 mod heidenhain;
 mod key;
 mod klartext;

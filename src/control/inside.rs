@@ -1,0 +1,375 @@
+//! A program inside another one: its blocks between two comments, without the beginning and the end of a program of its own, and back.
+//!
+//! That a declaration (`DEF`) must come before every other block of a SINUMERIK program, and that a Fanuc finds a label anywhere in a program, is recalled [R].
+
+use std::ops::Range;
+
+use crate::control::header::{self, HASH, HeaderLines, NO_HASH};
+use crate::control::iso::lex::{lines_of, program_number, strip_prefix_nocase};
+use crate::control::number::NOT_CHOSEN;
+use crate::control::{PostDef, find};
+use crate::num::push_count;
+use crate::text::{Text, text};
+
+/// First and last comment of a program inside another one. The first one goes on with the set of its labels, from 2 on.
+pub const BEGINS: &str = "Touchpath begins";
+const LABEL_SET: &str = ", label set ";
+pub const ENDS: &str = "Touchpath ends";
+
+/// How a control's program is put into another one.
+#[derive(Clone, Copy, Debug)]
+pub struct Inside {
+    /// Last block of a program.
+    pub end: &'static str,
+    /// Block that takes the place of the end and jumps over the exits below it, and the label behind them. `None` if nothing follows the end.
+    pub jump: Option<(&'static str, &'static str)>,
+    /// Beginning of a declaration, which goes to the start of the other program. Empty without declarations.
+    pub declares: &'static str,
+    pub labels: Labels,
+}
+
+/// Labels of a program, which are unique in the whole of the other one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Labels {
+    None,
+    /// `o12 if` and `o<tp_exit> call` of LinuxCNC.
+    OWords,
+    /// `N9001` and `GOTO 9001`.
+    Numbers,
+    /// `TP_STOP:`, and the variable `TP_MOVE`.
+    Names,
+}
+
+/// A control whose programs have no exits below their end, no labels and no declarations.
+pub const PLAIN: Inside = Inside {
+    end: "M30",
+    jump: None,
+    declares: "",
+    labels: Labels::None,
+};
+
+/// Controls with numbered labels, and exits below the end.
+pub const NUMBERED: Inside = Inside {
+    jump: Some(("GOTO 9000", "N9000")),
+    labels: Labels::Numbers,
+    ..PLAIN
+};
+
+/// Number of times that a program with labels fits into another one, and the distance of their numbers.
+const MOST: usize = 10;
+const APART: usize = 100;
+
+/// A program as it is put into another one.
+#[derive(Clone, Debug)]
+pub struct Put {
+    /// Lines for the start of the other program.
+    pub declarations: Vec<String>,
+    pub lines: Vec<String>,
+}
+
+/// The lines of a program of this control for another program, with labels that the other one does not have. The header's hash is over these lines.
+pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
+    let Some(inside) = post.inside else {
+        return Err(text!(
+            "{control} numbers every block: a program inside yours would change the numbers behind it. Save it as a program of its own, and call it",
+            post.title
+        ));
+    };
+    let about_number = comment(post, NOT_CHOSEN);
+    let own = |line: &&str| {
+        let is_number = program_number(line.as_bytes()).is_some() || *line == about_number;
+        !line.is_empty() && *line != "%" && !is_number
+    };
+    let lines: Vec<&str> = lines_of(program).filter(own).collect();
+    let jump = inside.jump.map_or("", |(jump, _)| jump);
+    let labels: Vec<Label> = lines
+        .iter()
+        .copied()
+        .chain([jump])
+        .flat_map(|line| labels_in(inside.labels, line))
+        .collect();
+    let mut taken = [false; MOST];
+    for other in lines_of(other).flat_map(|line| labels_in(inside.labels, line)) {
+        for (set, taken) in taken.iter_mut().enumerate() {
+            *taken |= labels.iter().any(|own| own.in_set(set) == other.in_set(0));
+        }
+    }
+    let Some(set) = taken.iter().position(|taken| !taken) else {
+        return Err(text!(
+            "Your program uses the labels of this one, and {count} other sets of labels",
+            MOST - 1
+        ));
+    };
+    let lines = lines
+        .into_iter()
+        .map(|line| relabelled(inside.labels, line, set, true));
+    let (declarations, mut lines): (Vec<String>, Vec<String>) =
+        lines.partition(|line| is_declaration(post, line));
+    // Without exits below it the end is the last block: LinuxCNC's subprograms, above the first move, have one as well.
+    let ends = |line: &String| line == inside.end;
+    let end = match inside.jump {
+        Some(_) => lines.iter().position(ends),
+        None => lines.iter().rposition(ends),
+    };
+    if let Some(end) = end {
+        match inside.jump.filter(|_| end + 1 < lines.len()) {
+            Some((jump, label)) => {
+                lines[end] = relabelled(inside.labels, jump, set, true);
+                lines.push(relabelled(inside.labels, label, set, true));
+            }
+            None if end + 1 < lines.len() => {
+                return Err(text!(
+                    "This program has exits below its end, and {control} has no jump over them",
+                    post.title
+                ));
+            }
+            None => {
+                lines.remove(end);
+            }
+        }
+    }
+    let begins = match set {
+        0 => comment(post, BEGINS),
+        _ => comment(post, &format!("{BEGINS}{LABEL_SET}{}", set + 1)),
+    };
+    let mut sealed = format!("{begins}\n{}\n", unsealed(&lines.join("\n")));
+    header::seal(&mut sealed);
+    let mut lines: Vec<String> = lines_of(&sealed).map(str::to_owned).collect();
+    lines.push(comment(post, ENDS));
+    Ok(Put {
+        declarations,
+        lines,
+    })
+}
+
+/// The programs inside a text: their lines, from the first to the last comment, and the set of their labels.
+pub fn ranges(text: &str) -> Vec<(Range<usize>, usize)> {
+    let mut found = Vec::new();
+    // Most texts have none.
+    if ![BEGINS, &BEGINS.to_ascii_uppercase()]
+        .iter()
+        .any(|words| text.contains(words))
+    {
+        return found;
+    }
+    let mut begun = None;
+    for (index, line) in lines_of(text).enumerate() {
+        let Some(comment) = header::comment(line) else {
+            continue;
+        };
+        if let Some(set) = strip_prefix_nocase(comment, BEGINS) {
+            let set = match strip_prefix_nocase(set, LABEL_SET) {
+                None => set.is_empty().then_some(0),
+                Some(set) => set
+                    .trim()
+                    .parse()
+                    .ok()
+                    .and_then(|set: usize| set.checked_sub(1)),
+            };
+            begun = set.filter(|set| *set < MOST).map(|set| (index, set));
+        } else if comment.eq_ignore_ascii_case(ENDS)
+            && let Some((first, set)) = begun.take()
+        {
+            found.push((first..index + 1, set));
+        }
+    }
+    found
+}
+
+/// Whether a line is a declaration of this control.
+pub fn is_declaration(post: &PostDef, line: &str) -> bool {
+    post.inside
+        .is_some_and(|inside| !inside.declares.is_empty() && line.starts_with(inside.declares))
+}
+
+/// Whether a line declares the variables of a program inside a text, whose labels belong to this set.
+pub fn declares(program: &str, set: usize, line: &str) -> bool {
+    post_of(&header::read(program)).is_some_and(|post| {
+        is_declaration(post, line)
+            && post
+                .inside
+                .is_some_and(|inside| is_of_set(inside.labels, line, set))
+    })
+}
+
+/// The control in a header.
+fn post_of(said: &HeaderLines<'_>) -> Option<&'static PostDef> {
+    let is_post = |(path, _): &&(&str, &str)| path.eq_ignore_ascii_case("control.post");
+    let (_, key) = said.values.iter().find(is_post)?;
+    find(&key.to_ascii_lowercase())
+}
+
+/// The program that was put into a text, as a program of its own; `None` if there is none. Its header's hash is right if the lines in the text are unchanged.
+pub fn alone(text: &str) -> Option<String> {
+    let (range, set) = ranges(text).into_iter().next()?;
+    let all: Vec<&str> = lines_of(text).collect();
+    let own = &all[range.start + 1..range.end - 1];
+    let body = own.join("\n") + "\n";
+    let said = header::read(&body);
+    let post = post_of(&said)?;
+    let inside = post.inside?;
+    let declared = |line: &&&str| is_declaration(post, line) && is_of_set(inside.labels, line, set);
+    let above = all[..range.start].iter().filter(declared);
+    let head = 1 + own.iter().position(|line| hash_of(line).is_some())?;
+    let lines = own[..head].iter().chain(above).chain(&own[head..]);
+    let mut lines: Vec<String> = lines
+        .map(|line| relabelled(inside.labels, line, set, false))
+        .collect();
+    let jump = inside.jump.and_then(|(jump, label)| {
+        let at = lines.iter().position(|line| line == jump)?;
+        (lines.last()? == label).then_some(at)
+    });
+    match jump {
+        Some(at) => {
+            lines.pop();
+            lines[at] = inside.end.to_owned();
+        }
+        None => lines.push(inside.end.to_owned()),
+    }
+    let mut text = lines.join("\n") + "\n";
+    if said.unchanged == Some(true) {
+        text = unsealed(&text);
+        header::seal(&mut text);
+    }
+    Some(text)
+}
+
+fn comment(post: &PostDef, words: &str) -> String {
+    let (open, close) = post.dialect.comment;
+    let words = if post.dialect.capitals {
+        words.to_ascii_uppercase()
+    } else {
+        words.to_owned()
+    };
+    format!("{open}{words}{close}")
+}
+
+/// The place of the hash in a line.
+fn hash_of(line: &str) -> Option<Range<usize>> {
+    let hash = strip_prefix_nocase(header::comment(line)?, HASH)?;
+    let begin = line.find(hash)?;
+    (hash.len() == NO_HASH.len()).then(|| begin..begin + NO_HASH.len())
+}
+
+/// A text with the placeholder in place of its hash.
+fn unsealed(text: &str) -> String {
+    let mut at = 0;
+    let mut hash = lines_of(text).filter_map(|line| {
+        let begin = at;
+        at += line.len() + 1;
+        hash_of(line).map(|hash| begin + hash.start..begin + hash.end)
+    });
+    let place = hash.next();
+    let mut text = text.to_owned();
+    if let Some(place) = place {
+        text.replace_range(place, NO_HASH);
+    }
+    text
+}
+
+/// The number of a label in a line; of `TP_STOP` and `o<tp_exit>` the number of the set, which is not written if it is 0.
+struct Label {
+    place: Range<usize>,
+    is_name: bool,
+    number: usize,
+}
+
+impl Label {
+    /// The label so many sets later.
+    fn in_set(&self, sets: usize) -> (bool, usize) {
+        (
+            self.is_name,
+            self.number.saturating_add(sets * self.apart()),
+        )
+    }
+
+    /// The label so many sets earlier.
+    fn before(&self, sets: usize) -> (bool, usize) {
+        (
+            self.is_name,
+            self.number.saturating_sub(sets * self.apart()),
+        )
+    }
+
+    fn apart(&self) -> usize {
+        if self.is_name { 1 } else { APART }
+    }
+}
+
+/// The labels in a line, and the jumps to them.
+fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
+    let begin = line.len() - line.trim_start().len();
+    let starts = |word: &str| strip_prefix_nocase(&line[begin..], word).is_some();
+    let digits = |from: usize| {
+        let count = line[from..].bytes().take_while(u8::is_ascii_digit).count();
+        from..from + count
+    };
+    let numbered = |from: usize| {
+        let place = digits(from);
+        let number = line[place.clone()].parse().ok()?;
+        Some(Label {
+            place,
+            is_name: false,
+            number,
+        })
+    };
+    // `TP_`, or `TP2_` in another set.
+    let named = |from: usize| {
+        let place = digits(from);
+        let written = line[place.clone()].parse().unwrap_or(1_usize);
+        line[place.end..].starts_with('_').then_some(Label {
+            place,
+            is_name: true,
+            number: written.saturating_sub(1),
+        })
+    };
+    match labels {
+        Labels::None => Vec::new(),
+        _ if starts("(") || starts(";") => Vec::new(),
+        Labels::OWords if starts("o<tp") => named(begin + "o<tp".len()).into_iter().collect(),
+        Labels::OWords if starts("o") => numbered(begin + 1).into_iter().collect(),
+        Labels::OWords => Vec::new(),
+        Labels::Numbers => {
+            let own = starts("N").then_some(begin + 1);
+            let jumps = line
+                .match_indices("GOTO ")
+                .map(|(at, word)| at + word.len());
+            own.into_iter().chain(jumps).filter_map(numbered).collect()
+        }
+        Labels::Names => {
+            let part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            line.match_indices("TP")
+                .filter(|(at, _)| !line[..*at].ends_with(part))
+                .filter_map(|(at, word)| named(at + word.len()))
+                .collect()
+        }
+    }
+}
+
+/// Whether a line has a name of this set.
+fn is_of_set(labels: Labels, line: &str, set: usize) -> bool {
+    labels_in(labels, line)
+        .iter()
+        .any(|label| label.is_name && label.number == set)
+}
+
+/// A line with the labels of another set, so many sets later, or earlier.
+fn relabelled(labels: Labels, line: &str, sets: usize, later: bool) -> String {
+    let mut out = String::with_capacity(line.len());
+    let mut from = 0;
+    for label in labels_in(labels, line) {
+        out.push_str(&line[from..label.place.start]);
+        from = label.place.end;
+        let (_, number) = if later {
+            label.in_set(sets)
+        } else {
+            label.before(sets)
+        };
+        match number {
+            0 if label.is_name => {}
+            number => push_count(&mut out, number + usize::from(label.is_name)),
+        }
+    }
+    out.push_str(&line[from..]);
+    out
+}
