@@ -197,6 +197,15 @@ async function buildCore() {
   });
   // The same as those of Node.
   rmSync(at("dist", "workerd.d.ts"));
+  // Only the class View is public, and has its comments.
+  const types = at("dist", "wasm", "touchpath.d.ts");
+  const [head = "", view = ""] = readFileSync(types, "utf8").split(
+    /(?=export class View)/,
+  );
+  const end = view.indexOf("\n}\n");
+  const bare = (/** @type {string} */ text) =>
+    text.replaceAll(/\/\*\*[\s\S]*?\*\/\n/g, "");
+  writeFileSync(types, bare(head) + view.slice(0, end) + bare(view.slice(end)));
   for (const folder of ["", "wasm"]) await withoutComments(at("dist", folder));
 }
 

@@ -18,6 +18,7 @@ import type {
   Dialect,
   Finding,
   Imported,
+  Insertion,
   Job,
   Lentoax,
   LentoaxQuery,
@@ -305,6 +306,24 @@ export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
     raw.runProgram(bytes, text.length, codes, texts),
   );
   return { ...run, kinds: [...MOVE_KINDS] };
+}
+
+/**
+ * Puts the program of a job into another program, whose lines keep their bytes: behind `line` (0-based), or behind the tool change of the probe. A program of the
+ * same name that was put there before is replaced. Both are read back: the inserted lines must be the job's program, and must move in the other one as they do
+ * alone. Throws `JobError` where that is not so, and where no place is found.
+ */
+export function insertProgram(
+  job: AnyJob,
+  into: string,
+  { line, config }: { line?: number; config?: Config } = {},
+): Insertion {
+  const bytes = bytesOf(into);
+  const { own, said } = under(job, config);
+  const made = instance.call<Insertion>(() =>
+    raw.insertProgram(own.codes, own.text, bytes, into.length, line),
+  );
+  return { ...made, findings: [...said, ...made.findings] };
 }
 
 const MOVE_KINDS = ["rapid", "feed", "probe"];

@@ -61,6 +61,30 @@ export interface ProgramMoves {
   findings: Finding[];
 }
 
+/** A program with the program of a job in it. */
+export interface Insertion {
+  /** The whole text. */
+  text: string;
+  /** The 0-based line of the first inserted line. */
+  first: Integer;
+  /** Number of inserted lines, without the declarations at the start of a SINUMERIK program. */
+  count: Integer;
+  /** Tool changes of the other program, in order. */
+  places: ToolPlace[];
+  /** Warnings and notes. */
+  findings: Finding[];
+}
+
+/** A place in a program: behind a tool change and the activation of the tool's length. */
+export interface ToolPlace {
+  /** The 0-based line behind which a program can be put. */
+  line: Integer;
+  /** The tool as the program names it: `24`, `PROBE`; `null` if it does not. */
+  tool: string | null;
+  /** Whether a name or a comment says that the tool is a probe. */
+  probe: boolean;
+}
+
 /** A part to probe. Its cycle's feature, virtual part, stylus and units determine the contacts of probing moves. */
 export type ProgramPart = Partial<Omit<Job, "cycle">> & { cycle: Job["cycle"] };
 

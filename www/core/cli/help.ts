@@ -31,6 +31,10 @@ const COMMANDS = {
     "an inspection report of a part, or of a series: a file a part, or a log of several",
     "html|csv|json",
   ],
+  insert: [
+    "JOB PROGRAM",
+    "the program of a job inside another program, behind the tool change of the probe",
+  ],
   new: ["CYCLE", "a job of a cycle with every value, ready to be changed"],
   convert: ["JOB", "a job in other units: --units mm or inch"],
   lentoax: [
@@ -88,13 +92,14 @@ const HELP_OF_OPTIONS: readonly (readonly [
   [
     "--config FILE",
     `the rules of a portal or a shop: jobs are filled in and judged by them; if left out, those of the nearest ${CONFIG_FILE} in this folder or above`,
-    [...JOBS, "serve"],
+    [...JOBS, "insert", "serve"],
   ],
   [
     "--no-config",
     `no rules, whatever ${CONFIG_FILE} there is`,
-    [...JOBS, "serve"],
+    [...JOBS, "insert", "serve"],
   ],
+  ["--line N", "put the program behind this line", ["insert"]],
   ["--units U", "mm or inch", ["new", "convert"]],
   ["--view V", "isometric, top, front or side", ["svg"]],
   [

@@ -18,6 +18,7 @@ export const OPTIONS = {
   flat: { type: "boolean" },
   manifest: { type: "boolean" },
   jobs: { type: "string" },
+  line: { type: "string" },
   set: { type: "string", multiple: true },
   start: { type: "string" },
   at: { type: "string" },

@@ -12,6 +12,7 @@ import { completion } from "./completion.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { type Command, completed, FORMS, help, JOBS, NAMES } from "./help.js";
 import { configFor, filesOf, isLines, itemsOf, textOf } from "./inputs.js";
+import { inserted } from "./insert.js";
 import { LIMITS } from "./limits.js";
 import { hasList, heldAgainst } from "./manifest.js";
 import {
@@ -113,6 +114,17 @@ async function run(
     return 0;
   }
   if (command === "serve") return served(names, values);
+  if (command === "insert") {
+    const [job, into] = names;
+    if (names.length !== 2 || job === undefined || into === undefined)
+      throw new Refused("insert takes a job and a program");
+    const config = await configFor(values);
+    const texts = [await textOf(job), await textOf(into)] as const;
+    const { text, said, code } = inserted(...texts, values.line, config);
+    await write(process.stdout, text);
+    await write(process.stderr, `${said}\n`);
+    return code;
+  }
   if (command === "schema" || command === "catalog") {
     const given = Object.keys(values).find((option) => option !== "json");
     if (names.length > 0 || given)

@@ -1,9 +1,10 @@
 // Checks that a program is still that of the job in its header.
 import { diffArrays } from "diff";
 import {
+  type AnyJob,
   type Finding,
   importJob,
-  type Job,
+  insertProgram,
   JobError,
   program,
 } from "../node.js";
@@ -106,6 +107,17 @@ function differing(
   return lines;
 }
 
+/** The text as its jobs make it: the program of the header's job, or another program with those that were put into it. */
+function expected(text: string, job: AnyJob): string {
+  const inside = [...text.matchAll(/^.*\bTouchpath begins\b/gim)];
+  if (inside.length === 0) return program(job).text;
+  const declared = text.match(/^DEF INT TP.*$/gm)?.join("\n") ?? "";
+  return inside.reduce((whole, { index }) => {
+    const { job } = importJob(`${declared}\n${text.slice(index)}`);
+    return job === null ? whole : insertProgram(job, whole).text;
+  }, text);
+}
+
 /** Compares a program with its job. */
 export function verified(text: string): Verified {
   const done = (
@@ -136,7 +148,7 @@ export function verified(text: string): Verified {
   if (job === null) return done("no-job", "its header says no job", findings);
   let wanted: string;
   try {
-    wanted = program(job as Job).text;
+    wanted = expected(text, job);
   } catch (thrown) {
     if (!(thrown instanceof JobError)) throw thrown;
     return done("refused", "this version refuses its job", thrown.findings);
