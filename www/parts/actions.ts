@@ -63,6 +63,9 @@ export class Actions {
         return this.page.tools.use("gallery");
       },
       open: () => this.app.querySelector<HTMLInputElement>("#file")?.click(),
+      into: () =>
+        store.withheld === null &&
+        this.app.querySelector<HTMLInputElement>("#into")?.click(),
       paste: () => {
         // From here on, messages are about the pasted text.
         this.page.tell(null);

@@ -25,6 +25,7 @@ import "./measured.js";
 import { Actions } from "./actions.js";
 import type { AppContext } from "./around.js";
 import { Export } from "./export.js";
+import type { Into } from "./insert-panel.js";
 import { Intake, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
 import { actions, dialogs, type Frame, menu, type Theme } from "./menu.js";
@@ -349,6 +350,7 @@ export class App extends LitElement {
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .opened=${this.opened} .saves=${!narrow}></tp-bar>
         <input id="file" class="visually-hidden" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
+        <input id="into" class="visually-hidden" type="file" tabindex="-1" aria-label=${this.t("Put into a program")} accept=${this.intake.readable} @change=${this.intake.insert} />
         ${menu(frame)}
       </header>
       <div class="notes">
@@ -393,7 +395,7 @@ export class App extends LitElement {
       </main>
       ${this.tools.now === "gallery" ? html`<tp-gallery role="main" .store=${store} .adds=${this.actions.adds} @chosen=${this.actions.chosen}></tp-gallery>` : nothing}
       ${this.tools.now === "manual" ? html`<tp-manual role="main" tabindex="0" .store=${store} .topic=${this.actions.topic} @chosen=${this.actions.chosen}></tp-manual>` : nothing}
-      ${this.tools.now === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<AnyJob>) => this.intake.adopt(e.detail)} @shown=${(e: CustomEvent<ProgramMoves>) => this.showsMoves(e.detail)}></tp-viewer>` : nothing}
+      ${this.tools.now === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<AnyJob>) => this.intake.adopt(e.detail)} @put=${(e: CustomEvent<Into>) => this.intake.put(e.detail)} @save=${(e: CustomEvent<Into>) => this.outlet.whole(e.detail)} @shown=${(e: CustomEvent<ProgramMoves>) => this.showsMoves(e.detail)}></tp-viewer>` : nothing}
       ${this.tools.now === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.tools.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tools.now === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" ?hidden=${this.around.isRemotePanel || (beside && away === "" && !this.around.host.querySelector("[slot=footer]"))} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tools.now === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : beside ? nothing : findings}<slot name="footer"></slot></footer>

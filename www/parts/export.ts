@@ -3,6 +3,7 @@ import { toFragment } from "../share.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { copy, download } from "./download.js";
+import type { Into } from "./insert-panel.js";
 import type { PicturePart } from "./picture.js";
 
 /** A program to save. */
@@ -49,6 +50,17 @@ export class Export {
     download(text, name, "text/plain");
     this.page.saved(name, other);
     return true;
+  }
+
+  /** Saves another program with that of the job in it. */
+  whole({ name, made }: Into): void {
+    if (!made) return;
+    const { post } = this.store.plan.program;
+    const { text } = made;
+    const extension = name.split(".").at(-1) ?? "";
+    if (!this.page.offer({ name, text, post, extension })) return;
+    download(text, name, "text/plain");
+    this.page.saved(name, false);
   }
 
   /** Saves the current form, even with errors: it is the user's work. */

@@ -4,10 +4,12 @@ import {
   type Finding,
   JobError,
   type ProgramMoves,
+  readProgram,
 } from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
+import type { Into } from "./insert-panel.js";
 
 /** The page's part in opening texts. */
 interface Page {
@@ -49,6 +51,8 @@ export interface Viewed {
   why: Finding[];
   /** Its file name; null for a pasted text. */
   name: string | null;
+  /** If the program of the job was put into it. */
+  into?: Into;
 }
 
 /** Opens texts from outside: chosen and dropped files, pasted text, links. A text that cannot be used changes nothing and is reported. */
@@ -103,6 +107,43 @@ export class Intake {
     if (file) await this.file(file);
     input.value = "";
   };
+
+  /** Puts the program of the job into the file that a user chose. */
+  readonly insert = async (event: Event): Promise<void> => {
+    const input = event.target as HTMLInputElement;
+    const file = input.files?.[0];
+    input.value = "";
+    if (!file) return;
+    const { signal } = this.begin();
+    if (file.size > this.store.longestProgram) {
+      this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
+      return;
+    }
+    try {
+      const [text, { into }] = await Promise.all([
+        file.text(),
+        import("./viewer.js"),
+        this.page.whole(),
+      ]);
+      if (!signal.aborted && this.store.withheld === null)
+        this.put(into(this.store, text, file.name));
+    } catch {
+      this.page.tell(this.store.t("This file cannot be read"));
+    }
+  };
+
+  /** Shows a program with the program of the job in it. */
+  put(into: Into): void {
+    const text = into.made?.text ?? into.other;
+    this.page.showMoves({
+      text,
+      moves: readProgram(text),
+      why: [],
+      name: into.name,
+      into,
+    });
+    this.page.tell("");
+  }
 
   /** Accepts files dropped anywhere: a job, a dump, a program. */
   readonly welcome = (event: DragEvent): void => {

@@ -15,12 +15,15 @@ import { w } from "../words.js";
 import { DrawnPart } from "./canvas-part.js";
 import { Drawing } from "./drawing.js";
 import { Finder } from "./finder.js";
+import { type Into, insertPanel, into } from "./insert-panel.js";
 import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";
 import { ProgramList } from "./program-list.js";
 import { brokenOf, letter, noteList, RunPanel } from "./run-panel.js";
 import type { Mark } from "./shown.js";
 import { type Run, Timeline } from "./timeline.js";
+
+export { into };
 
 /** A longer text, or one with more moves, runs in a worker while the page stays usable. */
 const LONG_TEXT = 20_000;
@@ -38,6 +41,7 @@ class ViewerPart extends DrawnPart {
     moves: ProgramMoves;
     why: Finding[];
     name: string | null;
+    into?: Into;
   };
   protected override storeEvents: string[] = [];
   private drawn?: object;
@@ -266,7 +270,7 @@ class ViewerPart extends DrawnPart {
         </ul>
         ${this.timeline.render()}
       </div>
-      <div class="said">${
+      <div class="said">${this.viewed.into ? this.insertion(this.viewed.into) : nothing}${
         this.running
           ? html`<p class="running" aria-live="polite">${this.t("The program is being run …")}</p>`
           : nothing
@@ -279,6 +283,17 @@ class ViewerPart extends DrawnPart {
         ${this.noted.length > 0 ? html`<ul class="notes" role="status">${this.noted.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
       </div>
     `;
+  }
+
+  /** Where the program of the job is in this one. */
+  private insertion(now: Into): TemplateResult {
+    const put = (line: number) =>
+      this.tell("put", into(this.store, now.other, now.name, line));
+    return insertPanel(this.store, now, put, () => this.tell("save", now));
+  }
+
+  private tell(event: string, detail: Into): void {
+    this.dispatchEvent(new CustomEvent(event, { detail }));
   }
 
   /** Headings of the program to jump to. */
@@ -335,6 +350,9 @@ class ViewerPart extends DrawnPart {
       this.pointed === null ? -1 : (moves.line[this.pointed] as number);
     this.listing.label();
     this.listing.light(line, !this.querySelector(".listing:hover"));
+    const inserted = this.viewed.into?.made?.first;
+    if (this.drawn !== this.viewed && inserted !== undefined)
+      this.listing.light(inserted, true);
   }
 
   /** Ctrl+F: the browser would search only the visible lines. */
