@@ -9,7 +9,8 @@ export default defineConfig({
     {
       name: "core",
       enforce: "pre",
-      resolveId: (id) => (id === "../node.js" ? { id, external: true } : null),
+      resolveId: (id) =>
+        /^\.\.\/(node|report)\.js$/.test(id) ? { id, external: true } : null,
     },
   ],
   build: {
