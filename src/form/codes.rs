@@ -660,6 +660,10 @@ pub const CODES: &[(&str, &str)] = &[
         "1411: over so short an arc the centre is uncertain.",
     ),
     (
+        "signs-contradict",
+        "A program has blocks of two controls: the user chooses the control.",
+    ),
+    (
         "small-hole",
         "1411: the hole is smaller than the set-up clearance; the control shows a message and starts from its centre.",
     ),

@@ -61,6 +61,37 @@ pub fn of(text: &str) -> Option<DialectMarker> {
     probing
 }
 
+/// The first line with a sign of LinuxCNC and the first one with a sign of a Fanuc, if a text has both and no sign of a control that has both itself.
+pub fn contradiction(text: &str) -> Option<[usize; 2]> {
+    const MOST_LINES: usize = 2000;
+    let mut found = [None; 2];
+    for (index, line) in lines_of(text).map(trimmed).take(MOST_LINES).enumerate() {
+        let code = code_of(line);
+        let sign = if is_linuxcnc(code) {
+            Some(DialectMarker::LinuxCnc)
+        } else {
+            probes(code)
+        };
+        let family = match sign {
+            Some(DialectMarker::LinuxCnc | DialectMarker::Rs274) => 0,
+            Some(DialectMarker::LikeFanuc) => 1,
+            _ => continue,
+        };
+        found[family].get_or_insert(index);
+    }
+    let [linuxcnc, fanuc] = found;
+    let is_other = || {
+        matches!(
+            of(text),
+            Some(DialectMarker::RepRap | DialectMarker::Klartext)
+        )
+    };
+    linuxcnc
+        .zip(fanuc)
+        .filter(|_| !is_other())
+        .map(|(linuxcnc, fanuc)| [linuxcnc, fanuc])
+}
+
 fn is_linuxcnc(code: &str) -> bool {
     if code.contains("#<") {
         return true;
@@ -127,6 +158,19 @@ mod tests {
             ),
         ] {
             assert_eq!(of(text), sign, "{text}");
+        }
+    }
+
+    #[test]
+    fn signs_of_two_controls_contradict_each_other() {
+        for (text, lines) in [
+            ("G21\nG38.2 Z-5\n(G31)\nG31 Z-5\nG31 X1\n", Some([1, 3])),
+            ("G31 Z-5.\n#<x>=1\n", Some([1, 0])),
+            ("G38.2 Z-5\n#<x>=1\n", None),
+            ("G31 Z-5.\n; G38.2\n", None),
+            ("G31\nG38.2 X{var.x}\n", None),
+        ] {
+            assert_eq!(contradiction(text), lines, "{text}");
         }
     }
 }

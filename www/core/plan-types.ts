@@ -181,6 +181,7 @@ export type FindingCode =
   | "several-cycles"
   | "shank-collision"
   | "short-arc"
+  | "signs-contradict"
   | "small-hole"
   | "start-in-feature"
   | "start-unknown"

@@ -38,6 +38,7 @@ mod wrote;
 use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
+use crate::import::dialect_markers;
 use crate::job::JobError;
 use crate::part::Machine as Inertia;
 use crate::text::text;
@@ -338,7 +339,26 @@ pub fn run_program(text: &str, known: &RunInputs<'_>) -> Toolpath {
             *line -= file.checked_sub(1).map_or(0, |file| files[file as usize].0);
         }
     }
+    if told.is_none() && matches!(kind, ControlKind::LinuxCnc | ControlKind::Fanuc) {
+        ask_control(text, &mut path);
+    }
     path
+}
+
+/// Reports signs of two controls: the user has to say which one it is.
+fn ask_control(text: &str, path: &mut Toolpath) {
+    let Some([linuxcnc, fanuc]) = dialect_markers::contradiction(text) else {
+        return;
+    };
+    let message = text!(
+        "Line {linuxcnc} is for LinuxCNC, and line {fanuc} for a Fanuc: choose the control",
+        linuxcnc + 1,
+        fanuc + 1
+    );
+    let finding = Finding::new(Level::Warning, "signs-contradict", "", message);
+    path.findings.insert(0, finding);
+    path.finding_lines
+        .insert(0, vec![linuxcnc as u32, fanuc as u32]);
 }
 
 /// Whether a text is HEIDENHAIN's ISO, which begins with `%NAME G71 *`.

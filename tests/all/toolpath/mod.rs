@@ -6,7 +6,7 @@ mod runs;
 mod state;
 
 use crate::common::{interpret, jobs, planned};
-use touchpath::import::toolpath::KINDS;
+use touchpath::import::toolpath::{KINDS, RunInputs, run_program};
 use touchpath::import::{Toolpath, read_program};
 
 fn places(path: &Toolpath) -> Vec<[f64; 3]> {
@@ -517,6 +517,32 @@ fn words_that_are_no_moves_were_read_as_moves() {
 }
 
 /// Beginnings of real programs, and texts that no SINUMERIK would have.
+#[test]
+fn the_user_is_asked_for_the_control_where_signs_contradict() {
+    let text = "G21 G90\nG38.2 Z-5 F100\nG0 Z5\nG31 Z-5. F100\n";
+    let asked = |post| {
+        let known = RunInputs {
+            post,
+            ..RunInputs::default()
+        };
+        let run = run_program(text, &known);
+        let asks = run
+            .findings
+            .iter()
+            .zip(&run.finding_lines)
+            .find(|(finding, _)| finding.code == "signs-contradict");
+        asks.map(|(finding, lines)| (finding.message.clone(), lines.clone()))
+    };
+    assert_eq!(
+        asked(None),
+        Some((
+            "Line 2 is for LinuxCNC, and line 4 for a Fanuc: choose the control".to_owned(),
+            vec![1, 3]
+        ))
+    );
+    assert_eq!(asked(Some("fanuc")), None);
+}
+
 #[test]
 fn a_dialect_is_that_of_its_words() {
     for text in [

@@ -175,6 +175,7 @@ export const CODES: Record<string, string> = {
   "several-cycles": "The text has several cycles: the first is used.",
   "shank-collision": "The shank or the probe body above the ball hits the feature, nominal or displaced, or the stock.",
   "short-arc": "1411: over so short an arc the centre is uncertain.",
+  "signs-contradict": "A program has blocks of two controls: the user chooses the control.",
   "small-hole": "1411: the hole is smaller than the set-up clearance; the control shows a message and starts from its centre.",
   "start-in-feature": "The path would begin and end inside the feature; the message gives the smallest feed distance.",
   "start-unknown": "Incremental moves of a program start from an unknown position: 0 is assumed.",
