@@ -242,7 +242,7 @@ function buildElement() {
     }
   const write = (/** @type {string} */ name, /** @type {string} */ text) =>
     writeFileSync(join(ELEMENT, name), text);
-  write("core.js", 'export * from "touchpath";\n');
+  write("core.js", 'export * from "touchpath/browser";\n');
   write("report.js", 'export * from "touchpath/report";\n');
   for (const name of readdirSync(at("www", "words")).filter(
     (name) => name !== "core.json",

@@ -56,7 +56,7 @@ pub const NUMBERED: Inside = Inside {
 };
 
 /// Number of times that a program with labels fits into another one, and the distance of their numbers.
-const MOST: usize = 10;
+const MOST: usize = 100;
 const APART: usize = 100;
 
 /// A program as it is put into another one.
@@ -90,14 +90,16 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
         .collect();
     let mut taken = [false; MOST];
     for other in lines_of(other).flat_map(|line| labels_in(inside.labels, line)) {
-        for (set, taken) in taken.iter_mut().enumerate() {
-            *taken |= labels.iter().any(|own| own.in_set(set) == other.in_set(0));
+        for own in &labels {
+            if let Some(set) = own.sets_to(&other).filter(|set| *set < MOST) {
+                taken[set] = true;
+            }
         }
     }
     let Some(set) = taken.iter().position(|taken| !taken) else {
         return Err(text!(
-            "Your program uses the labels of this one, and {count} other sets of labels",
-            MOST - 1
+            "No labels are free: your program uses all {count} sets of them",
+            MOST
         ));
     };
     let lines = lines
@@ -111,22 +113,15 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
         Some(_) => lines.iter().position(ends),
         None => lines.iter().rposition(ends),
     };
-    if let Some(end) = end {
-        match inside.jump.filter(|_| end + 1 < lines.len()) {
-            Some((jump, label)) => {
-                lines[end] = relabelled(inside.labels, jump, set, true);
-                lines.push(relabelled(inside.labels, label, set, true));
-            }
-            None if end + 1 < lines.len() => {
-                return Err(text!(
-                    "This program has exits below its end, and {control} has no jump over them",
-                    post.title
-                ));
-            }
-            None => {
-                lines.remove(end);
-            }
+    match (end, inside.jump) {
+        (Some(end), _) if end + 1 == lines.len() => {
+            lines.pop();
         }
+        (Some(end), Some((jump, label))) => {
+            lines[end] = relabelled(inside.labels, jump, set, true);
+            lines.push(relabelled(inside.labels, label, set, true));
+        }
+        _ => return Err(not_read_back()),
     }
     let begins = match set {
         0 => comment(post, BEGINS),
@@ -140,6 +135,11 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
         declarations,
         lines,
     })
+}
+
+/// Refusal of lines that are not the job's program.
+pub fn not_read_back() -> Text {
+    text!("Read back, the inserted lines are not the job's program")
 }
 
 /// The programs inside a text: their lines, from the first to the last comment, and the set of their labels.
@@ -215,6 +215,8 @@ pub fn alone(text: &str) -> Option<String> {
     let mut lines: Vec<String> = lines
         .map(|line| relabelled(inside.labels, line, set, false))
         .collect();
+    // Blank lines keep the numbers of the lines.
+    let blanks = (range.start + 1 + own.len()).saturating_sub(lines.len());
     let jump = inside.jump.and_then(|(jump, label)| {
         let at = lines.iter().position(|line| line == jump)?;
         (lines.last()? == label).then_some(at)
@@ -226,7 +228,7 @@ pub fn alone(text: &str) -> Option<String> {
         }
         None => lines.push(inside.end.to_owned()),
     }
-    let mut text = lines.join("\n") + "\n";
+    let mut text = "\n".repeat(blanks) + &lines.join("\n") + "\n";
     if said.unchanged == Some(true) {
         text = unsealed(&text);
         header::seal(&mut text);
@@ -275,38 +277,37 @@ struct Label {
 }
 
 impl Label {
-    /// The label so many sets later.
-    fn in_set(&self, sets: usize) -> (bool, usize) {
-        (
-            self.is_name,
-            self.number.saturating_add(sets * self.apart()),
-        )
-    }
-
-    /// The label so many sets earlier.
-    fn before(&self, sets: usize) -> (bool, usize) {
-        (
-            self.is_name,
-            self.number.saturating_sub(sets * self.apart()),
-        )
-    }
-
+    /// The distance of two sets of one kind.
     fn apart(&self) -> usize {
         if self.is_name { 1 } else { APART }
     }
+
+    /// The number of sets from this label to another one that is the same in its set.
+    fn sets_to(&self, other: &Label) -> Option<usize> {
+        let far = other.number.checked_sub(self.number)?;
+        (self.is_name == other.is_name && far.is_multiple_of(self.apart()))
+            .then(|| far / self.apart())
+    }
 }
 
-/// The labels in a line, and the jumps to them.
+/// The labels in a line, and the jumps to them. Capitals and small letters are the same.
 fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
-    let begin = line.len() - line.trim_start().len();
-    let starts = |word: &str| strip_prefix_nocase(&line[begin..], word).is_some();
+    let capitals = line.to_ascii_uppercase();
+    let skip = |at: usize, what: &[char]| {
+        at + capitals[at..].len() - capitals[at..].trim_start_matches(what).len()
+    };
+    // `/N10 O1 IF`
+    let begin = skip(0, &[' ', '\t', '/']);
     let digits = |from: usize| {
-        let count = line[from..].bytes().take_while(u8::is_ascii_digit).count();
+        let count = capitals[from..]
+            .bytes()
+            .take_while(u8::is_ascii_digit)
+            .count();
         from..from + count
     };
     let numbered = |from: usize| {
-        let place = digits(from);
-        let number = line[place.clone()].parse().ok()?;
+        let place = digits(skip(from, &[' ']));
+        let number = capitals[place.clone()].parse().ok()?;
         Some(Label {
             place,
             is_name: false,
@@ -316,8 +317,8 @@ fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
     // `TP_`, or `TP2_` in another set.
     let named = |from: usize| {
         let place = digits(from);
-        let written = line[place.clone()].parse().unwrap_or(1_usize);
-        line[place.end..].starts_with('_').then_some(Label {
+        let written = capitals[place.clone()].parse().unwrap_or(1_usize);
+        capitals[place.end..].starts_with('_').then_some(Label {
             place,
             is_name: true,
             number: written.saturating_sub(1),
@@ -325,21 +326,34 @@ fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
     };
     match labels {
         Labels::None => Vec::new(),
-        _ if starts("(") || starts(";") => Vec::new(),
-        Labels::OWords if starts("o<tp") => named(begin + "o<tp".len()).into_iter().collect(),
-        Labels::OWords if starts("o") => numbered(begin + 1).into_iter().collect(),
-        Labels::OWords => Vec::new(),
+        _ if capitals[begin..].starts_with(['(', ';']) => Vec::new(),
+        Labels::OWords => {
+            let behind = match capitals[begin..].strip_prefix('N') {
+                Some(_) => skip(digits(skip(begin + 1, &[' '])).end, &[' ', '\t']),
+                None => begin,
+            };
+            let word = &capitals[behind..];
+            let name = skip(behind + usize::from(word.starts_with('O')), &[' ']);
+            if !word.starts_with('O') {
+                Vec::new()
+            } else if capitals[name..].starts_with("<TP") {
+                named(name + "<TP".len()).into_iter().collect()
+            } else {
+                numbered(name).into_iter().collect()
+            }
+        }
         Labels::Numbers => {
-            let own = starts("N").then_some(begin + 1);
-            let jumps = line
-                .match_indices("GOTO ")
+            let own = capitals[begin..].starts_with('N').then_some(begin + 1);
+            let jumps = capitals
+                .match_indices("GOTO")
                 .map(|(at, word)| at + word.len());
             own.into_iter().chain(jumps).filter_map(numbered).collect()
         }
         Labels::Names => {
             let part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            line.match_indices("TP")
-                .filter(|(at, _)| !line[..*at].ends_with(part))
+            capitals
+                .match_indices("TP")
+                .filter(|(at, _)| !capitals[..*at].ends_with(part))
                 .filter_map(|(at, word)| named(at + word.len()))
                 .collect()
         }
@@ -360,10 +374,11 @@ fn relabelled(labels: Labels, line: &str, sets: usize, later: bool) -> String {
     for label in labels_in(labels, line) {
         out.push_str(&line[from..label.place.start]);
         from = label.place.end;
-        let (_, number) = if later {
-            label.in_set(sets)
+        let far = sets * label.apart();
+        let number = if later {
+            label.number.saturating_add(far)
         } else {
-            label.before(sets)
+            label.number.saturating_sub(far)
         };
         match number {
             0 if label.is_name => {}

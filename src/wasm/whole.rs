@@ -55,8 +55,8 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     Ok(result.into())
 }
 
-/// A program with the program of a job in it: `{ text, first, count, places, findings }`. `line` is the 0-based line behind which it goes; without one it goes
-/// behind the tool change of the probe.
+/// A program with the program of a job in it: `{ text, line, first, count, places, findings }`. `line` is the 0-based line after which it goes; without one it goes
+/// after the tool change of the probe.
 #[wasm_bindgen(js_name = insertProgram)]
 pub fn insert_program(
     codes: &[f64],

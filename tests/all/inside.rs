@@ -9,18 +9,22 @@ use touchpath::job::{JobError, plan};
 
 /// A program of each language with a probe, a tool before and a tool after it. Jobs in inch get the same in inch.
 fn other(post: &str, units: &str) -> String {
+    other_in(post, units, "G17")
+}
+
+fn other_in(post: &str, units: &str, plane: &str) -> String {
     let inch = units == "inch";
     match post {
         "sinumerik" => format!(
-            "%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G17 {} G90\nT=\"MILL\"\nM6\nG54 D1\nG0 Z100\nT=\"PROBE\"\nM6\nD1\nG0 Z200\nT=\"DRILL\"\nM6\nD1\nR5=3\nM30\n",
+            "%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 {plane} {} G90\nT=\"MILL\"\nM6\nG54 D1\nG0 Z100\nT=\"PROBE\"\nM6\nD1\nG0 Z200\nT=\"DRILL\"\nM6\nD1\nR5=3\nM30\n",
             if inch { "G70" } else { "G71" }
         ),
         "linuxcnc" | "grbl" | "grblhal" | "fluidnc" => format!(
-            "(PART)\n{} G17 G90\nT1 M6\nG43\nG0 Z100\n(the probe)\nT24 M6\nG43 H24\nG0 Z200\nT2 M6\nG43\nM30\n",
+            "(PART)\n{} {plane} G90\nT1 M6\nG43\nG0 Z100\n(the probe)\nT24 M6\nG43 H24\nG0 Z200\nT2 M6\nG43\nM30\n",
             if inch { "G20" } else { "G21" }
         ),
         _ => format!(
-            "%\nO0100 (PART)\n{} G17 G90\nT1 M6\nG54\nG43 H1 Z100.\nN10 (PROBE)\nT24 M6\nG43 H24 Z200.\nM19\n\nT2 M6\n#120=5.\nG43 H2 Z100.\nM30\n%\n",
+            "%\nO0100 (PART)\n{} {plane} G90\nT1 M6\nG54\nG43 H1 Z100.\nN10 (PROBE)\nT24 M6\nG43 H24 Z200.\nM19\n\nT2 M6\n#120=5.\nG43 H2 Z100.\nM30\n%\n",
             if inch { "G20" } else { "G21" }
         ),
     }
@@ -98,7 +102,11 @@ fn every_program_goes_in_and_comes_out_as_it_was() {
         if post == "heidenhain" {
             continue;
         }
-        let other = other(post, units(&job));
+        let plane = match job.get("plane") {
+            Some(Value::Text(plane)) => plane,
+            _ => "G17",
+        };
+        let other = other_in(post, units(&job), plane);
         let made = insert(&job, &other, None)
             .unwrap_or_else(|error| panic!("{name}: {:#?}", error.findings));
         assert_eq!(around(&made), other, "{name}");
@@ -279,7 +287,7 @@ fn what_does_not_fit_is_refused_with_its_reason() {
         why(&fanuc, &shifted, line)
     );
     // Every set of labels is taken.
-    let labels: String = (0..10).map(|k| format!("N{}\n", 9001 + 100 * k)).collect();
+    let labels: String = (0..100).map(|k| format!("N{}\n", 9001 + 100 * k)).collect();
     assert!(why(&fanuc, &format!("{part}{labels}"), None).contains("labels"));
     let wrong = with(&fanuc, "cycle.diameter", number(2.0));
     assert!(!why(&wrong, &part, None).contains("insert"));
@@ -290,6 +298,174 @@ fn what_does_not_fit_is_refused_with_its_reason() {
     assert!(why(&klartext, program, Some(1)).contains("numbers every block"));
 }
 
+/// What is active at a place, and what the blocks below it rely on.
+#[test]
+fn a_place_where_something_else_would_happen_is_refused() {
+    let head = |post: &str| match post {
+        "sinumerik" => "G71 G17 G90\nT=\"PROBE\"\nM6\nD1\n",
+        "linuxcnc" => "G21 G17 G90\nT24 M6 (PROBE)\nG43\n",
+        _ => "G21 G17 G90\nT24 M6 (PROBE)\nG43 H24 Z50.\n",
+    };
+    let tail = "G0 X0 Y0\nG1 X1 F100.\nM30\n";
+    let job_of = |post: &str| {
+        job(&format!(
+            r#"{{ "format": 1, "name": "BORE", "cycle": {{ "type": "hole" }}, "control": {{ "post": "{post}", "workOffset": 2 }} }}"#
+        ))
+    };
+    for (post, before, below, why) in [
+        ("fanuc", "G52 X10.\n", tail, "line 1 is active"),
+        ("fanuc", "G92 X10.\n", tail, "is active there"),
+        (
+            "fanuc",
+            "G68.2 X0 Y0 Z0 I0 J30. K0\n",
+            tail,
+            "is active there",
+        ),
+        ("haas", "G51.1 X0\n", tail, "is active there"),
+        ("fanuc", "G52 X#500\n", tail, "is active there"),
+        ("fanuc", "G52 X10.\nG52 X0 Y0\n", tail, ""),
+        ("fanuc", "G68 X0 Y0 R30.\nG69\n", tail, ""),
+        ("linuxcnc", "G10 L2 P1 R30\n", tail, "is active there"),
+        ("linuxcnc", "G92 X10\n", tail, "is active there"),
+        ("linuxcnc", "G92 X10\nG92.1\n", tail, ""),
+        ("sinumerik", "TRANS X10\n", tail, "is active there"),
+        ("sinumerik", "ROT RPL=30\n", tail, "is active there"),
+        (
+            "sinumerik",
+            "CYCLE800(0,\"\",0,57)\n",
+            tail,
+            "is active there",
+        ),
+        ("sinumerik", "TRANS X10\nTRANS\nCYCLE800()\n", tail, ""),
+        ("fanuc", "", "X10. Y10.\nM30\n", "states no motion code"),
+        (
+            "fanuc",
+            "",
+            "G1 X10.\nM30\n",
+            "states no motion code or no feed",
+        ),
+        ("fanuc", "G91\n", tail, "G91 is active there, and G90 after"),
+        ("fanuc", "G95\n", tail, "G95 is active there, and G94 after"),
+        // Never reached, or more than once.
+        ("fanuc", "M30\n", tail, "not reached exactly once"),
+        (
+            "fanuc",
+            "GOTO 500\n",
+            "N500\nM30\n",
+            "not reached exactly once",
+        ),
+        ("linuxcnc", "M2\n", tail, "not reached exactly once"),
+        (
+            "linuxcnc",
+            "o100 sub\n",
+            "G0 X0\no100 endsub\nM2\n",
+            "not reached exactly once",
+        ),
+        (
+            "sinumerik",
+            "FOR R1=1 TO 3\n",
+            "ENDFOR\nM30\n",
+            "not reached exactly once",
+        ),
+    ] {
+        let text = format!("{}{before}{below}", head(post));
+        let line = head(post).lines().count() + before.lines().count() - 1;
+        let told = match insert(&job_of(post), &text, Some(line)) {
+            Ok(_) => String::new(),
+            Err(error) => refused(error),
+        };
+        let head_lines = head(post).lines().count();
+        let why = why.replace("line 1 ", &format!("line {} ", head_lines + 1));
+        assert!(
+            told.contains(&why) && told.is_empty() == why.is_empty(),
+            "{post} {before:?} {below:?}: {told}"
+        );
+    }
+    // Another work offset stays active: that is a warning.
+    let text = format!("G21 G17 G90 G54\n{}{tail}", head("fanuc"));
+    let made = insert(&job_of("fanuc"), &text, None).unwrap();
+    assert!(
+        made.findings
+            .iter()
+            .any(|f| f.level == Level::Warning && f.message.starts_with("G55 is active")),
+        "{:?}",
+        made.findings
+    );
+}
+
+/// Labels of the other program, however they are written.
+#[test]
+fn labels_are_seen_in_every_spelling() {
+    for (post, label, own) in [
+        ("fanuc", "/N9001 G0 Z9.", "N9101"),
+        ("fanuc", "GOTO9001", "N9101"),
+        ("fanuc", "N 9001", "N9101"),
+        ("linuxcnc", "N10 o1 while [#1 LT 2]", "o101 if"),
+        ("linuxcnc", "O 1 while [#1 LT 2]", "o101 if"),
+        ("sinumerik", "tp_exit:", "TP2_EXIT:"),
+    ] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "name": "BORE", "cycle": {{ "type": "hole" }}, "control": {{ "post": "{post}" }} }}"#
+        ));
+        let program = planned(&job).program.text;
+        let post = POSTS.iter().find(|def| def.key == post).unwrap();
+        let put = inside::put(post, &program, &format!("{label}\n")).unwrap();
+        assert!(
+            put.lines.iter().any(|line| line.starts_with(own)),
+            "{label}: {:?}",
+            put.lines
+                .iter()
+                .filter(|line| line.starts_with(&own[..2]))
+                .collect::<Vec<_>>()
+        );
+    }
+    // A program numbered from N1 to N1000.
+    let numbered: String = (1..=1000).map(|n| format!("N{n} G0 X{n}.\n")).collect();
+    let fanuc = POSTS.iter().find(|def| def.key == "fanuc").unwrap();
+    let job =
+        job(r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "post": "fanuc" } }"#);
+    let put = inside::put(fanuc, &planned(&job).program.text, &numbered).unwrap();
+    assert!(put.lines[0].ends_with("LABEL SET 11)"), "{}", put.lines[0]);
+}
+
+#[test]
+fn a_line_is_that_of_the_given_text() {
+    let job = job(
+        r#"{ "format": 1, "name": "BORE", "cycle": { "type": "hole" }, "control": { "post": "sinumerik" } }"#,
+    );
+    let first = insert(&job, &other("sinumerik", "mm"), None).unwrap();
+    // With the declaration above it, the place is one line lower in the new text.
+    let again = insert(&job, &first.text, Some(first.line + 1)).unwrap();
+    assert_eq!(again.text, first.text);
+    assert_eq!(again.line, first.line + 1);
+    assert!(again.places.iter().any(|place| place.line == again.line));
+    // Far below the inserted lines.
+    let lines: Vec<&str> = first.text.lines().collect();
+    let last = lines
+        .iter()
+        .rposition(|line| line.starts_with("G0 Z200"))
+        .unwrap();
+    let below = insert(&job, &first.text, Some(last)).unwrap();
+    assert_eq!(below.text.lines().nth(below.first - 1), Some("G0 Z200"));
+    // A fault is told at its line of the whole.
+    let changed = first.text.replacen("MEAS=1 G1 X", "MEAS=1 G1 X1", 1);
+    let line = changed
+        .lines()
+        .zip(first.text.lines())
+        .position(|(a, b)| a != b)
+        .unwrap();
+    let Ok(Imported::Job { findings, .. }) = import(&changed) else {
+        panic!();
+    };
+    let named = format!("Line {} ", line + 1);
+    assert!(
+        findings
+            .iter()
+            .any(|finding| finding.message.contains(&named)),
+        "{named}: {findings:#?}"
+    );
+}
+
 #[test]
 fn the_tool_change_of_the_probe_is_found() {
     let fanuc = job(
@@ -298,7 +474,7 @@ fn the_tool_change_of_the_probe_is_found() {
     let head = "G21 G90\nT1 M6\nG43 H1\nG0 Z50.\n";
     for (lines, behind) in [
         ("T24 M06 (TASTER)\nG0 X0\nG43 H24\nG0 X1.\nM30\n", "G43 H24"),
-        ("(OMP40)\n/T24\nM6\nG43H24Z50.\nM30\n", "G43H24Z50."),
+        ("(OMP40)\nT24\nM6\nG43H24Z50.\nM30\n", "G43H24Z50."),
         (
             "(RENISHAW PROBE) T24 M6\nM19\nM30\n",
             "(RENISHAW PROBE) T24 M6",
@@ -314,6 +490,20 @@ fn the_tool_change_of_the_probe_is_found() {
         );
         assert_eq!(made.places.len(), 2, "{lines}");
     }
+    // Comments about another tool, several probes, a block that may be skipped, and a tool number that is not there.
+    for lines in [
+        "(T1 MILL)\n(T24 PROBE)\nT1 M6\nG43 H1\nM30\n",
+        "T1 M6 (NO PROBE)\nG43 H1\nM30\n",
+        "T1 M6 (STOMP4)\nM30\n",
+        "T1 M6 (PROBE)\nT2 M6 (PROBE)\nM30\n",
+        "/T24 M6 (PROBE)\n/G43 H24\nT2 M6\nM30\n",
+        "T24 M6 (PROBE)\n/G43 H24\nM30\n",
+    ] {
+        let error = insert(&fanuc, &format!("G21\n{lines}"), None).unwrap_err();
+        assert!(refused(error).starts_with("no-place"), "{lines}");
+    }
+    let numbered = with(&fanuc, "control.tool", number(7.0));
+    assert!(insert(&numbered, &other("fanuc", "mm"), None).is_err());
     // Windows' line ends, and a last line without an end.
     for other in [
         other("fanuc", "mm").replace('\n', "\r\n"),

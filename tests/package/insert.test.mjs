@@ -1,10 +1,11 @@
 // A job's program inside another program: the function and the command.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { defaultJob, importJob, insertProgram, JobError } from "touchpath";
-import { file, folder, run, setUp } from "./command.mjs";
+import { command, file, folder, run, setUp } from "./command.mjs";
 
 setUp();
 
@@ -19,7 +20,7 @@ function bore(name = "BORE", diameter = 30) {
   return job;
 }
 
-test("the function puts the program behind the probe's length, with the line ends of the other program", () => {
+test("the function puts the program after the probe's length, with the line ends of the other program", () => {
   const { text, first, count, places, findings } = insertProgram(bore(), PART);
   const lines = text.split("\r\n");
   assert.equal(lines[first - 1], "G43 H24 Z50.");
@@ -66,7 +67,7 @@ test("the command writes the whole program, says where it is, and verifies it", 
   assert.equal(made.stdout, insertProgram(bore(), PART).text);
   writeFileSync(join(folder, "whole.nc"), made.stdout);
   assert.equal(run(["verify", "whole.nc"]).status, 0);
-  // A second program, behind a line; the first one is edited.
+  // A second program, after a line; the first one is edited.
   const second = file("second.json", bore("SECOND", 50));
   const both = run(["insert", second, "whole.nc", "--line", "8"]);
   assert.equal(both.status, 0, both.stderr);
@@ -84,9 +85,46 @@ test("the command writes the whole program, says where it is, and verifies it", 
     assert.equal(status, 1, digit);
     assert.match(stdout, new RegExp(`should be: .*${digit}`));
   }
+  // A comment that is gone, and a block that came in above the header.
+  for (const [from, to] of [
+    ["(TOUCHPATH ENDS)", "(X)"],
+    ["(TOUCHPATH BEGINS)", "(TOUCHPATH BEGINS)\r\nG1 Z-50. F5000."],
+    ["(TOUCHPATH BEGINS, LABEL SET 2)", "(X)"],
+  ]) {
+    const edited = text.replace(String(from), String(to));
+    assert.notEqual(edited, text);
+    writeFileSync(join(folder, "edited.nc"), edited);
+    assert.equal(run(["verify", "edited.nc"]).status, 1, from);
+  }
   // A change of the program around does not count.
   writeFileSync(join(folder, "around.nc"), text.replace("M19", "M19 M8"));
   assert.equal(run(["verify", "around.nc"]).status, 0);
+});
+
+test("a file that is not UTF-8 keeps its bytes", () => {
+  const name = Buffer.from([0x28, 0xfc, 0x29, 0x0d, 0x0a]);
+  writeFileSync(
+    join(folder, "latin.nc"),
+    Buffer.concat([Buffer.from("\uFEFF"), Buffer.from(PART)]),
+  );
+  writeFileSync(
+    join(folder, "latin1.nc"),
+    Buffer.concat([name, Buffer.from(PART)]),
+  );
+  const job = file("bore.json", bore());
+  for (const source of ["latin.nc", "latin1.nc"]) {
+    const { stdout } = spawnSync("node", [command, "insert", job, source], {
+      cwd: folder,
+    });
+    const given = readFileSync(join(folder, source));
+    const head = given.subarray(0, given.indexOf("M19"));
+    assert.ok(stdout.subarray(0, head.length).equals(head), source);
+    const tail = given.subarray(head.length);
+    assert.ok(
+      stdout.subarray(stdout.length - tail.length).equals(tail),
+      source,
+    );
+  }
 });
 
 test("what cannot be done is refused with its reason, and nothing is written", () => {

@@ -1,4 +1,4 @@
-// The program of the job inside a program of the shop: proposed behind the tool change of the probe, read back, saved under the file's name.
+// The program of the job inside a program of the shop: proposed after the tool change of the probe, read back, saved under the file's name.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -38,7 +38,7 @@ const chooses = (/** @type {string} */ text) =>
     buffer: Buffer.from(text),
   });
 
-test("the program goes behind the probe's length, or another line, and the whole is saved", async () => {
+test("the program goes after the probe's length, or another line, and the whole is saved", async () => {
   await put("control.post", "haas");
   await put("control.workOffset", 1);
   const own = (await program()).trim().split("\n");
@@ -50,10 +50,7 @@ test("the program goes behind the probe's length, or another line, and the whole
     await textOf(panel.getByRole("status")),
     /is in lines 9 to \d+ of PART\.NC\. All other lines are unchanged\.$/,
   );
-  assert.match(
-    await textOf(panel),
-    /Behind the inserted lines these are active: G21/,
-  );
+  assert.match(await textOf(panel), /Active after the inserted lines: G21/);
   const saves = async () => {
     const [download] = await Promise.all([
       page.waitForEvent("download"),
@@ -74,8 +71,8 @@ test("the program goes behind the probe's length, or another line, and the whole
     "8: 24 (probe)",
     "11: 2",
   ]);
-  await panel.getByLabel("Behind line").fill("9");
-  await panel.getByLabel("Behind line").press("Enter");
+  await panel.getByLabel("After line").fill("9");
+  await panel.getByLabel("After line").press("Enter");
   await panel.getByText("is in lines 10 to").waitFor();
   const second = await saves();
   assert.deepEqual(second.slice(0, 9), PART.split("\n").slice(0, 9));
@@ -99,8 +96,8 @@ test("a program without a place is shown with the reason, and a line gives it on
   await panel.getByText("No tool change of a probe is found").waitFor();
   const save = panel.getByRole("button", { name: "Save PART.NC" });
   assert.equal(await save.isDisabled(), true);
-  await panel.getByLabel("Behind line").fill("2");
-  await panel.getByLabel("Behind line").press("Tab");
+  await panel.getByLabel("After line").fill("2");
+  await panel.getByLabel("After line").press("Tab");
   await panel.getByText("is in lines 3 to").waitFor();
   assert.equal(await save.isEnabled(), true);
   await page.getByRole("button", { name: "Back to the job" }).click();

@@ -131,6 +131,28 @@ const copySite = (/** @type {string} */ own) =>
     { cwd: own },
   );
 
+test("a bundle for Node takes the element's functions for browsers", async () => {
+  const own = project("for-node", ["react"]);
+  writeFileSync(
+    join(own, "main.js"),
+    'import "touchpath-element/react";\nimport { plan } from "touchpath";\nconsole.log(typeof plan);\n',
+  );
+  const { build } = await import("esbuild");
+  for (const conditions of [[], ["workerd"]])
+    await build({
+      absWorkingDir: own,
+      entryPoints: ["main.js"],
+      bundle: true,
+      format: "esm",
+      platform: "node",
+      conditions,
+      external: ["react"],
+      loader: { ".wasm": "file" },
+      outfile: "out.mjs",
+      logLevel: "error",
+    });
+});
+
 test("a folder with the files, and no tool at all", async () => {
   const own = project("plain");
   copySite(own);

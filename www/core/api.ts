@@ -309,9 +309,9 @@ export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
 }
 
 /**
- * Puts the program of a job into another program, whose lines keep their bytes: behind `line` (0-based), or behind the tool change of the probe. A program of the
- * same name that was put there before is replaced. Both are read back: the inserted lines must be the job's program, and must move in the other one as they do
- * alone. Throws `JobError` where that is not so, and where no place is found.
+ * Puts the program of a job into another program, whose lines stay as they are: after `line` (0-based), or after the tool change of the probe. A program of the
+ * same name that was put there before is replaced. The result is read back: the inserted lines must be the job's program and probe as they do alone. Throws
+ * `JobError` if no place is found, and for a place at which the lines, or those below them, would do something else.
  */
 export function insertProgram(
   job: AnyJob,

@@ -65,19 +65,21 @@ export interface ProgramMoves {
 export interface Insertion {
   /** The whole text. */
   text: string;
-  /** The 0-based line of the first inserted line. */
+  /** The 0-based line of the given text after which the program is. */
+  line: Integer;
+  /** The 0-based line of the first inserted line in the whole text. */
   first: Integer;
   /** Number of inserted lines, without the declarations at the start of a SINUMERIK program. */
   count: Integer;
-  /** Tool changes of the other program, in order. */
+  /** Tool changes of the given text, in order. */
   places: ToolPlace[];
   /** Warnings and notes. */
   findings: Finding[];
 }
 
-/** A place in a program: behind a tool change and the activation of the tool's length. */
+/** A place in a program: after a tool change and the activation of the tool's length. */
 export interface ToolPlace {
-  /** The 0-based line behind which a program can be put. */
+  /** The 0-based line after which a program can be put. */
   line: Integer;
   /** The tool as the program names it: `24`, `PROBE`; `null` if it does not. */
   tool: string | null;

@@ -3,10 +3,10 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 
-/** Saves a text as a file. */
-export function download(text: string, name: string, type: string): void {
+/** Saves a text or bytes as a file. */
+export function download(content: BlobPart, name: string, type: string): void {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.href = URL.createObjectURL(new Blob([content], { type }));
   link.download = name;
   link.click();
   URL.revokeObjectURL(link.href);

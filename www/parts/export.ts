@@ -1,4 +1,5 @@
 import { type Job, type Message, svg } from "../core/browser.js";
+import { bytesOfText } from "../core/bytes.js";
 import { toFragment } from "../share.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
@@ -53,13 +54,13 @@ export class Export {
   }
 
   /** Saves another program with that of the job in it. */
-  whole({ name, made }: Into): void {
+  whole({ name, made, isUtf8 }: Into): void {
     if (!made) return;
     const { post } = this.store.plan.program;
     const { text } = made;
     const extension = name.split(".").at(-1) ?? "";
     if (!this.page.offer({ name, text, post, extension })) return;
-    download(text, name, "text/plain");
+    download(bytesOfText({ text, isUtf8 }), name, "text/plain");
     this.page.saved(name, false);
   }
 

@@ -6,15 +6,17 @@ import {
   insertProgram,
   JobError,
 } from "../core/browser.js";
+import type { FileText } from "../core/bytes.js";
 import type { Store } from "../store.js";
 import { noteList } from "./run-panel.js";
 
 /** Another program with the program of the job in it. */
 export interface Into {
-  /** The other program, and its file name. */
+  /** The other program, whether its file is UTF-8, and its name. */
   other: string;
+  isUtf8: boolean;
   name: string;
-  /** The line behind which the program goes, counted from 0; `null`: behind the tool change of the probe. */
+  /** The line after which the program goes, counted from 0; `null`: after the tool change of the probe. */
   line: number | null;
   /** Name of the job. */
   job: string;
@@ -26,12 +28,12 @@ export interface Into {
 /** Puts the program of the form into another one. */
 export function into(
   store: Store,
-  other: string,
+  { text: other, isUtf8 }: FileText,
   name: string,
   line: number | null = null,
 ): Into {
   const job = store.shown as unknown as AnyJob;
-  const all = { other, name, line, job: job.name ?? "" };
+  const all = { other, isUtf8, name, line, job: job.name ?? "" };
   try {
     const made = insertProgram(job, other, line === null ? {} : { line });
     return { ...all, made, why: "" };
@@ -54,7 +56,7 @@ export function insertPanel(
     if (Number.isInteger(line) && line > 0) put(line - 1);
   };
   const places = made?.places ?? [];
-  const place = line ?? (made ? made.first - 1 : null);
+  const place = made?.line ?? line;
   return html`<section class="into" aria-label=${t("Put into a program")}>
     ${
       made
@@ -63,7 +65,7 @@ export function insertPanel(
     }
     ${noteList(made?.findings.map(({ said }) => store.say(said)) ?? [])}
     <p class="tools">
-      <label>${t("Behind line")} <input type="text" inputmode="numeric" size="6" .value=${place === null ? "" : String(place + 1)} @change=${chosen} /></label>
+      <label>${t("After line")} <input type="text" inputmode="numeric" size="6" .value=${place === null ? "" : String(place + 1)} @change=${chosen} /></label>
       ${
         places.length > 0
           ? html`<label>${t("Tool change")} <select @change=${chosen}><option value=""></option>${places.map(({ line, tool, probe }) => html`<option value=${line + 1} ?selected=${line === place}>${line + 1}: ${tool ?? ""}${probe ? ` (${t("probe")})` : ""}</option>`)}</select></label>`

@@ -6,6 +6,7 @@ import {
   type ProgramMoves,
   readProgram,
 } from "../core/browser.js";
+import { textOfBytes } from "../core/bytes.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
@@ -119,17 +120,23 @@ export class Intake {
       this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
       return;
     }
-    try {
-      const [text, { into }] = await Promise.all([
-        file.text(),
-        import("./viewer.js"),
-        this.page.whole(),
-      ]);
-      if (!signal.aborted && this.store.withheld === null)
-        this.put(into(this.store, text, file.name));
-    } catch {
+    const bytes = await file.arrayBuffer().catch(() => null);
+    if (signal.aborted || this.store.withheld !== null) return;
+    if (bytes === null) {
       this.page.tell(this.store.t("This file cannot be read"));
+      return;
     }
+    const parts = Promise.all([import("./viewer.js"), this.page.whole()]);
+    const [viewer] = (await parts.catch(() => null)) ?? [];
+    if (signal.aborted) return;
+    const read = textOfBytes(new Uint8Array(bytes));
+    if (viewer) this.put(viewer.into(this.store, read, file.name));
+    else
+      this.page.tell(
+        this.store.t(
+          "This part of the page could not be loaded. Check the network connection",
+        ),
+      );
   };
 
   /** Shows a program with the program of the job in it. */

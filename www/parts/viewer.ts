@@ -287,8 +287,9 @@ class ViewerPart extends DrawnPart {
 
   /** Where the program of the job is in this one. */
   private insertion(now: Into): TemplateResult {
+    const file = { text: now.other, isUtf8: now.isUtf8 };
     const put = (line: number) =>
-      this.tell("put", into(this.store, now.other, now.name, line));
+      this.tell("put", into(this.store, file, now.name, line));
     return insertPanel(this.store, now, put, () => this.tell("save", now));
   }
 

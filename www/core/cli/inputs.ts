@@ -1,8 +1,10 @@
 // Inputs of the command: the files of its arguments, the jobs in them, and the config.
+
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { dirname, extname, join, relative, resolve, sep } from "node:path";
 import { glob, isDynamicPattern } from "tinyglobby";
+import { type FileText, textOfBytes } from "../bytes.js";
 import { type Config, catalog, checkConfig } from "../node.js";
 import { Refused } from "./folder.js";
 import { CONFIG_FILE } from "./help.js";
@@ -101,13 +103,12 @@ export async function* itemsOf(
   }
 }
 
-/** The text of a file. Reading stops at the maximum length of a job. */
-async function whole(
+/** The bytes of a file; null for one that cannot have at most `longest` characters. */
+async function bytesOf(
   file: string,
   longest: number,
-  refused: string,
   progress?: Progress,
-): Promise<Omit<Item, "source" | "place">> {
+): Promise<Buffer | null> {
   const chunks: Buffer[] = [];
   let size = 0;
   for await (const chunk of progress?.through(streamOf(file)) ??
@@ -115,11 +116,36 @@ async function whole(
     const bytes = Buffer.from(chunk);
     size += bytes.length;
     // A character has at most four bytes.
-    if (size > 4 * longest) return { text: "", refused };
+    if (size > 4 * longest) return null;
     chunks.push(bytes);
   }
-  const text = Buffer.concat(chunks).toString("utf8");
-  return text.length > longest ? { text: "", refused } : { text };
+  return Buffer.concat(chunks);
+}
+
+/** The text of a file. Reading stops at the maximum length of a job. */
+async function whole(
+  file: string,
+  longest: number,
+  refused: string,
+  progress?: Progress,
+): Promise<Omit<Item, "source" | "place">> {
+  const text = (await bytesOf(file, longest, progress))?.toString("utf8");
+  return text === undefined || text.length > longest
+    ? { text: "", refused }
+    : { text };
+}
+
+/** The text of a program that is written again with the same bytes. */
+export async function programOf(file: string): Promise<FileText> {
+  const { longestProgram } = catalog();
+  try {
+    const bytes = await bytesOf(file, longestProgram);
+    if (bytes === null)
+      throw new Error(`At most ${longestProgram} characters are read`);
+    return textOfBytes(bytes);
+  } catch (thrown) {
+    throw new Refused(`${file} cannot be read: ${(thrown as Error).message}`);
+  }
 }
 
 /** Text of the measurements. */

@@ -11,7 +11,7 @@ import type { Outcome, PlacedFinding, Task } from "./tasks.js";
 /** Writes and waits for a slow reader. */
 export async function write(
   stream: NodeJS.WriteStream,
-  text: string,
+  text: string | Uint8Array,
 ): Promise<void> {
   if (stream.write(text)) return;
   await new Promise<void>((done) => stream.once("drain", done));

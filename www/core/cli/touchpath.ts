@@ -5,13 +5,21 @@ import { availableParallelism, constants } from "node:os";
 import { basename, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
+import { bytesOfText } from "../bytes.js";
 import { catalog, jobSchema, version } from "../node.js";
 import { clock } from "../report.js";
 import { converted, explain, inlined, newJob, toolLengths } from "./about.js";
 import { completion } from "./completion.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { type Command, completed, FORMS, help, JOBS, NAMES } from "./help.js";
-import { configFor, filesOf, isLines, itemsOf, textOf } from "./inputs.js";
+import {
+  configFor,
+  filesOf,
+  isLines,
+  itemsOf,
+  programOf,
+  textOf,
+} from "./inputs.js";
 import { inserted } from "./insert.js";
 import { LIMITS } from "./limits.js";
 import { hasList, heldAgainst } from "./manifest.js";
@@ -119,9 +127,10 @@ async function run(
     if (names.length !== 2 || job === undefined || into === undefined)
       throw new Refused("insert takes a job and a program");
     const config = await configFor(values);
-    const texts = [await textOf(job), await textOf(into)] as const;
-    const { text, said, code } = inserted(...texts, values.line, config);
-    await write(process.stdout, text);
+    const { text: other, isUtf8 } = await programOf(into);
+    const own = await textOf(job);
+    const { text, said, code } = inserted(own, other, values.line, config);
+    await write(process.stdout, bytesOfText({ text, isUtf8 }));
     await write(process.stderr, `${said}\n`);
     return code;
   }

@@ -38,8 +38,11 @@ const STAMP = /Made by Touchpath |Blocks below: |^\s*$/i;
 
 const linesOf = (text: string) =>
   text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
-/** Blocks below the header with their lines, and the last line of the header; without a header all blocks, and 0. */
-function blocks(text: string): {
+/** Blocks below the header with their lines, and the last line of the header; without a header, and of a whole text, all blocks, and 0. */
+function blocks(
+  text: string,
+  whole = false,
+): {
   own: { line: number; text: string }[];
   head: number;
 } {
@@ -47,9 +50,9 @@ function blocks(text: string): {
     line: i + 1,
     text: text.trimEnd(),
   }));
-  const end = all.findIndex(({ text }) =>
-    /Blocks below: [0-9A-F]+/i.test(text),
-  );
+  const end = whole
+    ? -1
+    : all.findIndex(({ text }) => /Blocks below: [0-9A-F]+/i.test(text));
   const own = all.slice(end + 1).filter(({ text }) => !STAMP.test(text));
   return { own, head: end + 1 };
 }
@@ -107,6 +110,17 @@ function differing(
   return lines;
 }
 
+/** Number of lines of a text with these words. */
+const count = (text: string, words: RegExp) => text.match(words)?.length ?? 0;
+
+/** Whether a text has first and last comments of inserted programs, each pair around one header. */
+function hasPairs(text: string): boolean {
+  const begun = count(text, /\bTouchpath begins\b/gi);
+  return [/\bTouchpath ends\b/gi, /\bMade by Touchpath\b/gi].every(
+    (words) => count(text, words) === begun,
+  );
+}
+
 /** The text as its jobs make it: the program of the header's job, or another program with those that were put into it. */
 function expected(text: string, job: AnyJob): string {
   const inside = [...text.matchAll(/^.*\bTouchpath begins\b/gim)];
@@ -151,10 +165,20 @@ export function verified(text: string): Verified {
     wanted = expected(text, job);
   } catch (thrown) {
     if (!(thrown instanceof JobError)) throw thrown;
-    return done("refused", "this version refuses its job", thrown.findings);
+    const why = thrown.findings.some(({ code }) => code === "not-inserted")
+      ? `its job's program does not fit there: ${thrown.message}`
+      : "this version refuses its job";
+    return done("refused", why, thrown.findings);
   }
-  const { own, head } = blocks(text);
-  const lines = differing(own, blocks(wanted).own, head);
+  const isInside = /\bTouchpath (begins|ends)\b/i.test(text);
+  if (isInside && !hasPairs(text))
+    return done(
+      "changed",
+      "has a program inside without its first or last comment",
+      findings,
+    );
+  const { own, head } = blocks(text, isInside);
+  const lines = differing(own, blocks(wanted, isInside).own, head);
   if (lines.length > 0) {
     const many =
       lines.length === 1 ? "a line differs" : `${lines.length} lines differ`;

@@ -1,0 +1,311 @@
+//! Puts the program of a job into another program: after the tool change of the probe, or after a line. The rest of the text keeps its bytes. The result is read
+//! back: the inserted lines must be the job's program, and must probe in the other program as they do alone.
+
+mod around;
+mod places;
+mod words;
+
+use std::ops::Range;
+
+use serde::Serialize;
+
+use self::places::{places, proposed};
+use self::words::{parted, variables};
+use crate::control::inside::{self, Put, not_read_back};
+use crate::control::iso::lex::{lines_of, next_line, strip_prefix_nocase, trimmed, without_number};
+use crate::control::{self, PostDef, header};
+use crate::form::{Checker, Finding, Level, Value};
+use crate::import::toolpath::{
+    KINDS, LONGEST_PROGRAM, Toolpath, control_kind, guess, read_program, too_long,
+};
+use crate::import::{Imported, fits, import_with, length};
+use crate::job::{self, JobError};
+use crate::text::{Text, text};
+
+pub use self::places::ToolPlace;
+
+/// A program with the program of a job in it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Insertion {
+    /// The whole text.
+    pub text: String,
+    /// The 0-based line of the given text after which the program is.
+    pub line: usize,
+    /// The 0-based line of the first inserted line in the whole text.
+    pub first: usize,
+    /// Number of inserted lines, without the declarations at the start of a SINUMERIK program.
+    pub count: usize,
+    /// Tool changes of the given text, in order.
+    pub places: Vec<ToolPlace>,
+    /// Warnings and notes.
+    pub findings: Vec<Finding>,
+}
+
+/// Longest list of variables in a message.
+const MOST_LISTED: usize = 8;
+
+/// Puts the program of a job after the 0-based line of another program. Without a line it goes after the tool change of the probe: that of the job's
+/// `control.tool`, or else of the only tool that is called a probe. A program of the same name that was put there before is replaced.
+pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion, JobError> {
+    if !fits(other, LONGEST_PROGRAM) {
+        return Err(too_long(length(other)));
+    }
+    let plan = job::plan(job)?;
+    let program = plan.program.text.as_str();
+    let refuse = |message: Text| refusal("not-inserted", message);
+    // Every program is for a control of the list.
+    let Some(post) = control::find(plan.program.post) else {
+        return Err(JobError {
+            findings: Vec::new(),
+        });
+    };
+    let given = lines_with_ends(other);
+    let (kept, before) = without(&given, program);
+    let lines: Vec<&str> = kept.iter().map(|line| given[*line]).collect();
+    check_language(post, &lines.concat()).map_err(refuse)?;
+    let found = places(&lines);
+    // Lines of the given text, and those that are left of it.
+    let left = |line: usize| kept.iter().rposition(|own| *own <= line);
+    let wanted = match line {
+        Some(line) if line >= given.len() => {
+            let message = text!(
+                "There is no line {line}: the program has {count}",
+                line.saturating_add(1),
+                given.len()
+            );
+            return Err(refusal("no-place", message));
+        }
+        Some(line) => left(line),
+        None => before.or_else(|| proposed(&found, tool_of(job))),
+    };
+    let Some(wanted) = wanted else {
+        let message = text!("No tool change of a probe is found, or several are: choose the line");
+        return Err(refusal("no-place", message));
+    };
+    let Put {
+        declarations,
+        lines: own,
+    } = inside::put(post, program, &lines.concat()).map_err(refuse)?;
+    let blocks: Vec<&str> = own.iter().map(String::as_str).collect();
+    let restores = own.iter().any(|line| line == "M72");
+    around::check(&lines, wanted, &blocks, restores).map_err(refuse)?;
+    let end = if other.contains("\r\n") { "\r\n" } else { "\n" };
+    let ended = |own: &[String]| -> String { own.iter().flat_map(|line| [line, end]).collect() };
+    let mut inserted = ended(&own);
+    if !lines[wanted].ends_with(['\n', '\r']) {
+        inserted = format!("{end}{}", inserted.trim_end_matches(['\r', '\n']));
+    }
+    let declared = ended(&declarations);
+    let head = declaration_line(&lines[..=wanted]);
+    let mut whole = lines.clone();
+    whole.insert(wanted + 1, &inserted);
+    whole.insert(head, &declared);
+    let first = wanted + 1 + declarations.len();
+    let prefix = whole[..wanted + 3].concat();
+    let range = first..first + own.len();
+    check_read_back(post, program, &prefix, range).map_err(refuse)?;
+    let mut checker = Checker::default();
+    note_modes(&lines[..=wanted], &blocks, restores, &mut checker);
+    note_variables(program, &lines, &mut checker);
+    let place = |place: ToolPlace| ToolPlace {
+        line: kept[place.line],
+        ..place
+    };
+    Ok(Insertion {
+        text: whole.concat(),
+        line: kept[wanted],
+        first,
+        count: own.len(),
+        places: found.into_iter().map(place).collect(),
+        findings: checker.findings(),
+    })
+}
+
+fn refusal(code: &str, message: Text) -> JobError {
+    JobError {
+        findings: vec![Finding::new(Level::Error, code, "", message)],
+    }
+}
+
+/// Lines with their ends.
+fn lines_with_ends(text: &str) -> Vec<&str> {
+    let mut rest = text;
+    let mut lines = Vec::new();
+    while !rest.is_empty() {
+        let whole = rest;
+        next_line(&mut rest);
+        lines.push(&whole[..whole.len() - rest.len()]);
+    }
+    lines
+}
+
+/// The lines that are left without an earlier program of the same name, and the index of the one before it.
+fn without(lines: &[&str], program: &str) -> (Vec<usize>, Option<usize>) {
+    let name = header::read(program).name;
+    for (range, set) in inside::ranges(&lines.concat()) {
+        let said = lines[range.clone()].concat();
+        let same = header::read(&said)
+            .name
+            .zip(name)
+            .is_some_and(|(a, b)| a.eq_ignore_ascii_case(b));
+        if !same {
+            continue;
+        }
+        let mut kept: Vec<usize> = (0..range.start)
+            .filter(|line| !inside::declares(&said, set, lines[*line]))
+            .collect();
+        let at = kept.len().checked_sub(1);
+        kept.extend(range.end..lines.len());
+        return (kept, at);
+    }
+    ((0..lines.len()).collect(), None)
+}
+
+/// Refuses a program in the language of another control.
+fn check_language(post: &PostDef, other: &str) -> Result<(), Text> {
+    let own = control_kind::dialect_of(post.key);
+    if own.is_some_and(|own| own != guess::guessed(other)) {
+        return Err(text!(
+            "Your program is in another language than that of {control}",
+            post.title
+        ));
+    }
+    Ok(())
+}
+
+fn tool_of(job: &Value) -> Option<String> {
+    match job.get("control")?.get("tool")? {
+        Value::Number(number) => Some(crate::num::decimal(*number, 0)),
+        _ => None,
+    }
+}
+
+/// Number of the lines that come before the first block of a SINUMERIK program: its name, comments, `PROC`, declarations. In an archive the last program counts.
+fn declaration_line(lines: &[&str]) -> usize {
+    let head = ["%", ";", "PROC", "EXTERN", "DEF "];
+    let code = |line: &str| without_number(trimmed(line.trim_end_matches(['\r', '\n']))).to_owned();
+    let is_head = |line: &&str| {
+        let line = code(line);
+        line.is_empty()
+            || head
+                .iter()
+                .any(|word| strip_prefix_nocase(&line, word).is_some())
+    };
+    let begin = lines
+        .iter()
+        .rposition(|line| line.starts_with("%_N_"))
+        .unwrap_or(0);
+    let own = &lines[begin..];
+    let first = own.iter().position(|line| !is_head(line));
+    let last = own[..first.unwrap_or(own.len())]
+        .iter()
+        .rposition(|line| !code(line).is_empty());
+    begin + last.map_or(0, |last| last + 1)
+}
+
+/// Reads the lines back: as a program of their own, and at their place. `prefix` is the text up to their end.
+fn check_read_back(
+    post: &PostDef,
+    program: &str,
+    prefix: &str,
+    own: Range<usize>,
+) -> Result<(), Text> {
+    let declares = |line: &&str| inside::is_declaration(post, line);
+    let alone: Vec<&str> = lines_of(prefix).filter(declares).collect();
+    let region: Vec<&str> = lines_of(prefix).skip(own.start).collect();
+    let region = [alone, region].concat().join("\n") + "\n";
+    let is_job = |imported: &Imported| {
+        matches!(imported, Imported::Job { findings, .. }
+            if findings.iter().all(|finding| finding.level == Level::Info))
+    };
+    if !import_with(&region, None).is_ok_and(|imported| is_job(&imported)) {
+        return Err(not_read_back());
+    }
+    let dialect = control_kind::dialect_of(post.key);
+    let [alone, whole] = [program, prefix].map(|text| read_program(text, dialect));
+    if let Some((own, other)) = alone.metric.zip(whole.metric)
+        && own != other
+    {
+        return Err(text!(
+            "Your program is in {other}, and the job in {own}",
+            if other { "mm" } else { "inch" },
+            if own { "mm" } else { "inch" }
+        ));
+    }
+    // The first moves depend on where the stylus is: from the last one backwards.
+    let probing = |path: &Toolpath, lines: Range<usize>| -> Vec<usize> {
+        let is_own = |k: &usize| {
+            KINDS[path.kind[*k] as usize] == "probe" && lines.contains(&(path.line[*k] as usize))
+        };
+        (0..path.kind.len()).rev().filter(is_own).collect()
+    };
+    let planned = probing(&alone, 0..usize::MAX);
+    let read = probing(&whole, own.clone());
+    for (k, at) in planned.into_iter().zip(read) {
+        let [planned, read] =
+            [(&alone, k), (&whole, at)].map(|(path, k)| &path.to[3 * k..3 * k + 3]);
+        let apart = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-6;
+        if planned.iter().zip(read).any(apart) {
+            return Err(not_read_back());
+        }
+    }
+    Ok(())
+}
+
+/// Notes the modes that are active after the inserted lines, and warns of another work offset.
+fn note_modes(above: &[&str], own: &[&str], restores: bool, checker: &mut Checker) {
+    if restores {
+        return;
+    }
+    let is_word = |word: &str| {
+        word.strip_prefix(['G', 'M'])
+            .is_some_and(|number| crate::num::read(number).is_some())
+    };
+    let mut modes: Vec<&str> = Vec::new();
+    for word in own
+        .iter()
+        .filter(|line| line.split(' ').all(is_word))
+        .flat_map(|line| line.split(' '))
+    {
+        if !["M0", "M2", "M30", "G53"].contains(&word) && !modes.contains(&word) {
+            modes.push(word);
+        }
+    }
+    if !modes.is_empty() {
+        let message = text!("Active after the inserted lines: {modes}", modes.join(" "));
+        checker.info("modes-set", "", message);
+    }
+    if let (Some(before), Some(after)) = (around::offset(above), around::offset(own))
+        && before != after
+    {
+        let message = text!(
+            "{after} is active after the inserted lines, and {before} before them",
+            after,
+            before
+        );
+        checker.warning("modes-set", "", message);
+    }
+}
+
+/// Warns of variables that the program sets and the other one uses.
+fn note_variables(program: &str, other: &[&str], checker: &mut Checker) {
+    let set: Vec<String> = lines_of(program)
+        .filter(|line| line.contains('='))
+        .filter_map(|line| variables(&parted(line).0).into_iter().next())
+        .collect();
+    let mut shared: Vec<String> = Vec::new();
+    for line in other.iter().filter(|line| line.contains(['#', 'R', 'r'])) {
+        for name in variables(&parted(line).0) {
+            if shared.len() < MOST_LISTED && set.contains(&name) && !shared.contains(&name) {
+                shared.push(name);
+            }
+        }
+    }
+    if !shared.is_empty() {
+        let message = text!(
+            "Your program uses variables that the inserted lines change: {names}",
+            shared.join(", ")
+        );
+        checker.warning("variables-shared", "", message);
+    }
+}
