@@ -51,7 +51,7 @@ fn shifts(code: &str) -> bool {
 }
 
 /// The 0-based line of a shift, a rotation, a scale or a mirror that is active after these lines.
-fn transformed(lines: &[&str]) -> Option<usize> {
+fn transformed(lines: &[&str], sinumerik: bool) -> Option<usize> {
     let mut active: Vec<(&str, usize)> = Vec::new();
     for (index, line) in lines.iter().enumerate() {
         let (code, _) = parted(line);
@@ -81,7 +81,8 @@ fn transformed(lines: &[&str]) -> Option<usize> {
         if has(&["G92.1", "G92.2"]) {
             set("G92", false);
         }
-        if has(&["G58", "G59"]) && axes && !code.contains("P") {
+        // On other controls these are work offsets.
+        if sinumerik && has(&["G58", "G59"]) && axes {
             set("G58", true);
         }
         if has(&["G10"]) && words(&code).any(|(letter, _)| letter == 'R') && has_code(&code, 'L', 2)
@@ -189,8 +190,17 @@ pub fn offset(lines: &[&str]) -> Option<String> {
     })
 }
 
-/// Refuses a place at which the inserted lines, or the blocks below them, would do something else. `restores`: the inserted lines end with the modes before them.
-pub fn check(lines: &[&str], place: usize, own: &[&str], restores: bool) -> Result<(), Text> {
+/// What depends on the control.
+#[derive(Clone, Copy, Debug)]
+pub struct Habits {
+    /// Whether G58 and G59 shift the coordinate system.
+    pub sinumerik: bool,
+    /// Whether the inserted lines end with the modes before them.
+    pub restores: bool,
+}
+
+/// Refuses a place at which the inserted lines, or the blocks below them, would do something else.
+pub fn check(lines: &[&str], place: usize, own: &[&str], habits: Habits) -> Result<(), Text> {
     let above = &lines[..=place];
     if let Some(line) = bars(above) {
         return Err(text!(
@@ -198,13 +208,13 @@ pub fn check(lines: &[&str], place: usize, own: &[&str], restores: bool) -> Resu
             line + 1
         ));
     }
-    if let Some(line) = transformed(above) {
+    if let Some(line) = transformed(above, habits.sinumerik) {
         return Err(text!(
             "A shift, a rotation, a scale or a mirror of line {line} is active there",
             line + 1
         ));
     }
-    for group in GROUPS.iter().filter(|_| !restores) {
+    for group in GROUPS.iter().filter(|_| !habits.restores) {
         if let (Some(before), Some(after)) = (last(group, above), last(group, own))
             && before != after
         {

@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use serde::Serialize;
 
+use self::around::Habits;
 use self::places::{places, proposed};
 use self::words::{parted, variables};
 use crate::control::inside::{self, Put, not_read_back};
@@ -16,7 +17,7 @@ use crate::control::iso::lex::{lines_of, next_line, strip_prefix_nocase, trimmed
 use crate::control::{self, PostDef, header};
 use crate::form::{Checker, Finding, Level, Value};
 use crate::import::toolpath::{
-    KINDS, LONGEST_PROGRAM, Toolpath, control_kind, guess, read_program, too_long,
+    DIALECTS, KINDS, LONGEST_PROGRAM, Toolpath, control_kind, guess, read_program, too_long,
 };
 use crate::import::{Imported, fits, import_with, length};
 use crate::job::{self, JobError};
@@ -88,7 +89,11 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
     } = inside::put(post, program, &lines.concat()).map_err(refuse)?;
     let blocks: Vec<&str> = own.iter().map(String::as_str).collect();
     let restores = own.iter().any(|line| line == "M72");
-    around::check(&lines, wanted, &blocks, restores).map_err(refuse)?;
+    let habits = Habits {
+        sinumerik: control_kind::dialect_of(post.key) == Some(DIALECTS[1]),
+        restores,
+    };
+    around::check(&lines, wanted, &blocks, habits).map_err(refuse)?;
     let end = if other.contains("\r\n") { "\r\n" } else { "\n" };
     let ended = |own: &[String]| -> String { own.iter().flat_map(|line| [line, end]).collect() };
     let mut inserted = ended(&own);
