@@ -11,7 +11,7 @@ use crate::control::{PostDef, find};
 use crate::num::push_count;
 use crate::text::{Text, text};
 
-/// First and last comment of a program inside another one. The first one goes on with the set of its labels, from 2 on.
+/// First and last comment of a program inside another one. The first one also names the set of its labels, unless it is the first set.
 pub const BEGINS: &str = "Touchpath begins";
 const LABEL_SET: &str = ", label set ";
 pub const ENDS: &str = "Touchpath ends";
@@ -21,7 +21,7 @@ pub const ENDS: &str = "Touchpath ends";
 pub struct Inside {
     /// Last block of a program.
     pub end: &'static str,
-    /// Block that takes the place of the end and jumps over the exits below it, and the label behind them. `None` if nothing follows the end.
+    /// Block that replaces the end and jumps over the exits below it, and the label after them. `None` if nothing follows the end.
     pub jump: Option<(&'static str, &'static str)>,
     /// Beginning of a declaration, which goes to the start of the other program. Empty without declarations.
     pub declares: &'static str,
@@ -55,7 +55,7 @@ pub const NUMBERED: Inside = Inside {
     ..PLAIN
 };
 
-/// Number of times that a program with labels fits into another one, and the distance of their numbers.
+/// Number of label sets, and the distance between the numbers of two sets.
 const MOST: usize = 100;
 const APART: usize = 100;
 
@@ -71,7 +71,7 @@ pub struct Put {
 pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
     let Some(inside) = post.inside else {
         return Err(text!(
-            "{control} numbers every block: a program inside yours would change the numbers behind it. Save it as a program of its own, and call it",
+            "{control} numbers every block: a program inside yours would change the numbers below it. Save it as a program of its own, and call it",
             post.title
         ));
     };
@@ -269,7 +269,7 @@ fn unsealed(text: &str) -> String {
     text
 }
 
-/// The number of a label in a line; of `TP_STOP` and `o<tp_exit>` the number of the set, which is not written if it is 0.
+/// The number of a label in a line. In `TP_STOP` and `o<tp_exit>` it is the number of the set, and 0 is not written.
 struct Label {
     place: Range<usize>,
     is_name: bool,
@@ -277,12 +277,12 @@ struct Label {
 }
 
 impl Label {
-    /// The distance of two sets of one kind.
+    /// The distance between the numbers of two sets.
     fn apart(&self) -> usize {
         if self.is_name { 1 } else { APART }
     }
 
-    /// The number of sets from this label to another one that is the same in its set.
+    /// How many sets higher the other label is, if it is this one in another set.
     fn sets_to(&self, other: &Label) -> Option<usize> {
         let far = other.number.checked_sub(self.number)?;
         (self.is_name == other.is_name && far.is_multiple_of(self.apart()))
@@ -367,7 +367,7 @@ fn is_of_set(labels: Labels, line: &str, set: usize) -> bool {
         .any(|label| label.is_name && label.number == set)
 }
 
-/// A line with the labels of another set, so many sets later, or earlier.
+/// A line whose labels are moved by this many sets, up (`later`) or down.
 fn relabelled(labels: Labels, line: &str, sets: usize, later: bool) -> String {
     let mut out = String::with_capacity(line.len());
     let mut from = 0;

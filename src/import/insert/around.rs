@@ -106,7 +106,7 @@ fn transformed(lines: &[&str], sinumerik: bool) -> Option<usize> {
 }
 
 /// The 0-based line that keeps the place after these lines from being reached exactly once: an end, a jump without a condition, or the beginning of a structure
-/// that is still open. Programs that were put there by the page jump to their own end.
+/// that is still open. Inserted programs are skipped: they jump to their own end.
 fn bars(lines: &[&str]) -> Option<usize> {
     let mut open: Vec<(usize, bool)> = Vec::new();
     let mut bar = None;

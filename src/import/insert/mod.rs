@@ -65,7 +65,7 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
     let lines: Vec<&str> = kept.iter().map(|line| given[*line]).collect();
     check_language(post, &lines.concat()).map_err(refuse)?;
     let found = places(&lines);
-    // Lines of the given text, and those that are left of it.
+    // The index in `lines` of a line of the given text, or of the last one above it.
     let left = |line: usize| kept.iter().rposition(|own| *own <= line);
     let wanted = match line {
         Some(line) if line >= given.len() => {
@@ -144,7 +144,7 @@ fn lines_with_ends(text: &str) -> Vec<&str> {
     lines
 }
 
-/// The lines that are left without an earlier program of the same name, and the index of the one before it.
+/// The lines without an earlier program of the same name, and among them the index of the line above it.
 fn without(lines: &[&str], program: &str) -> (Vec<usize>, Option<usize>) {
     let name = header::read(program).name;
     for (range, set) in inside::ranges(&lines.concat()) {
