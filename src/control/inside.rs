@@ -81,27 +81,7 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
         !line.is_empty() && *line != "%" && !is_number
     };
     let lines: Vec<&str> = lines_of(program).filter(own).collect();
-    let jump = inside.jump.map_or("", |(jump, _)| jump);
-    let labels: Vec<Label> = lines
-        .iter()
-        .copied()
-        .chain([jump])
-        .flat_map(|line| labels_in(inside.labels, line))
-        .collect();
-    let mut taken = [false; MOST];
-    for other in lines_of(other).flat_map(|line| labels_in(inside.labels, line)) {
-        for own in &labels {
-            if let Some(set) = own.sets_to(&other).filter(|set| *set < MOST) {
-                taken[set] = true;
-            }
-        }
-    }
-    let Some(set) = taken.iter().position(|taken| !taken) else {
-        return Err(text!(
-            "No labels are free: your program uses all {count} sets of them",
-            MOST
-        ));
-    };
+    let set = free_set(&inside, &lines, other)?;
     let lines = lines
         .into_iter()
         .map(|line| relabelled(inside.labels, line, set, true));
@@ -134,6 +114,31 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
     Ok(Put {
         declarations,
         lines,
+    })
+}
+
+/// The first set of labels that the other program does not have.
+fn free_set(inside: &Inside, lines: &[&str], other: &str) -> Result<usize, Text> {
+    let jump = inside.jump.map_or("", |(jump, _)| jump);
+    let labels: Vec<Label> = lines
+        .iter()
+        .copied()
+        .chain([jump])
+        .flat_map(|line| labels_in(inside.labels, line))
+        .collect();
+    let mut taken = [false; MOST];
+    for other in lines_of(other).flat_map(|line| labels_in(inside.labels, line)) {
+        for own in &labels {
+            if let Some(set) = own.sets_to(&other).filter(|set| *set < MOST) {
+                taken[set] = true;
+            }
+        }
+    }
+    taken.iter().position(|taken| !taken).ok_or_else(|| {
+        text!(
+            "No labels are free: your program uses all {count} sets of them",
+            MOST
+        )
     })
 }
 
@@ -290,23 +295,38 @@ impl Label {
     }
 }
 
+/// The position after these characters.
+fn skip(text: &str, at: usize, what: &[char]) -> usize {
+    text.len() - text[at..].trim_start_matches(what).len()
+}
+
+/// The digits from a position on.
+fn digits(text: &str, from: usize) -> Range<usize> {
+    let count = text[from..].bytes().take_while(u8::is_ascii_digit).count();
+    from..from + count
+}
+
+/// The position after the O of an O word, which may follow a block number.
+fn after_o(capitals: &str, begin: usize) -> Option<usize> {
+    let begin = match capitals[begin..].strip_prefix('N') {
+        Some(_) => {
+            let number = digits(capitals, skip(capitals, begin + 1, &[' ']));
+            skip(capitals, number.end, &[' ', '\t'])
+        }
+        None => begin,
+    };
+    capitals[begin..]
+        .starts_with('O')
+        .then(|| skip(capitals, begin + 1, &[' ']))
+}
+
 /// The labels in a line, and the jumps to them. Capitals and small letters are the same.
 fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
     let capitals = line.to_ascii_uppercase();
-    let skip = |at: usize, what: &[char]| {
-        at + capitals[at..].len() - capitals[at..].trim_start_matches(what).len()
-    };
     // `/N10 O1 IF`
-    let begin = skip(0, &[' ', '\t', '/']);
-    let digits = |from: usize| {
-        let count = capitals[from..]
-            .bytes()
-            .take_while(u8::is_ascii_digit)
-            .count();
-        from..from + count
-    };
+    let begin = skip(&capitals, 0, &[' ', '\t', '/']);
     let numbered = |from: usize| {
-        let place = digits(skip(from, &[' ']));
+        let place = digits(&capitals, skip(&capitals, from, &[' ']));
         let number = capitals[place.clone()].parse().ok()?;
         Some(Label {
             place,
@@ -316,7 +336,7 @@ fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
     };
     // `TP_`, or `TP2_` in another set.
     let named = |from: usize| {
-        let place = digits(from);
+        let place = digits(&capitals, from);
         let written = capitals[place.clone()].parse().unwrap_or(1_usize);
         capitals[place.end..].starts_with('_').then_some(Label {
             place,
@@ -327,21 +347,13 @@ fn labels_in(labels: Labels, line: &str) -> Vec<Label> {
     match labels {
         Labels::None => Vec::new(),
         _ if capitals[begin..].starts_with(['(', ';']) => Vec::new(),
-        Labels::OWords => {
-            let behind = match capitals[begin..].strip_prefix('N') {
-                Some(_) => skip(digits(skip(begin + 1, &[' '])).end, &[' ', '\t']),
-                None => begin,
-            };
-            let word = &capitals[behind..];
-            let name = skip(behind + usize::from(word.starts_with('O')), &[' ']);
-            if !word.starts_with('O') {
-                Vec::new()
-            } else if capitals[name..].starts_with("<TP") {
-                named(name + "<TP".len()).into_iter().collect()
-            } else {
-                numbered(name).into_iter().collect()
-            }
-        }
+        Labels::OWords => after_o(&capitals, begin)
+            .and_then(|at| match capitals[at..].strip_prefix("<TP") {
+                Some(_) => named(at + "<TP".len()),
+                None => numbered(at),
+            })
+            .into_iter()
+            .collect(),
         Labels::Numbers => {
             let own = capitals[begin..].starts_with('N').then_some(begin + 1);
             let jumps = capitals

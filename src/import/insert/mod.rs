@@ -55,31 +55,27 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
     let program = plan.program.text.as_str();
     let refuse = |message: Text| refusal("not-inserted", message);
     // Every program is for a control of the list.
-    let Some(post) = control::find(plan.program.post) else {
-        return Err(JobError {
-            findings: Vec::new(),
-        });
+    let unknown = || JobError {
+        findings: Vec::new(),
     };
+    let post = control::find(plan.program.post).ok_or_else(unknown)?;
     let given = lines_with_ends(other);
     let (kept, before) = without(&given, program);
     let lines: Vec<&str> = kept.iter().map(|line| given[*line]).collect();
     check_language(post, &lines.concat()).map_err(refuse)?;
-    let found = places(&lines);
-    // The index in `lines` of a line of the given text, or of the last one above it.
+    let mut found = places(&lines);
+    if let Some(line) = line.filter(|line| *line >= given.len()) {
+        let message = text!(
+            "There is no line {line}: the program has {count}",
+            line.saturating_add(1),
+            given.len()
+        );
+        return Err(refusal("no-place", message));
+    }
+    // The last line that is left of the text up to the given one.
     let left = |line: usize| kept.iter().rposition(|own| *own <= line);
-    let wanted = match line {
-        Some(line) if line >= given.len() => {
-            let message = text!(
-                "There is no line {line}: the program has {count}",
-                line.saturating_add(1),
-                given.len()
-            );
-            return Err(refusal("no-place", message));
-        }
-        Some(line) => left(line),
-        None => before.or_else(|| proposed(&found, tool_of(job))),
-    };
-    let Some(wanted) = wanted else {
+    let own_place = || before.or_else(|| proposed(&found, tool_of(job)));
+    let Some(wanted) = line.map_or_else(own_place, left) else {
         let message = text!("No tool change of a probe is found, or several are: choose the line");
         return Err(refusal("no-place", message));
     };
@@ -88,40 +84,26 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
         lines: own,
     } = inside::put(post, program, &lines.concat()).map_err(refuse)?;
     let blocks: Vec<&str> = own.iter().map(String::as_str).collect();
-    let restores = own.iter().any(|line| line == "M72");
     let habits = Habits {
         sinumerik: control_kind::dialect_of(post.key) == Some(DIALECTS[1]),
-        restores,
+        restores: blocks.contains(&"M72"),
     };
     around::check(&lines, wanted, &blocks, habits).map_err(refuse)?;
-    let end = if other.contains("\r\n") { "\r\n" } else { "\n" };
-    let ended = |own: &[String]| -> String { own.iter().flat_map(|line| [line, end]).collect() };
-    let mut inserted = ended(&own);
-    if !lines[wanted].ends_with(['\n', '\r']) {
-        inserted = format!("{end}{}", inserted.trim_end_matches(['\r', '\n']));
-    }
-    let declared = ended(&declarations);
-    let head = declaration_line(&lines[..=wanted]);
-    let mut whole = lines.clone();
-    whole.insert(wanted + 1, &inserted);
-    whole.insert(head, &declared);
     let first = wanted + 1 + declarations.len();
-    let prefix = whole[..wanted + 3].concat();
-    let range = first..first + own.len();
-    check_read_back(post, program, &prefix, range).map_err(refuse)?;
+    let [prefix, rest] = composed(&lines, wanted, &declarations, &own);
+    check_read_back(post, program, &prefix, first..first + own.len()).map_err(refuse)?;
     let mut checker = Checker::default();
-    note_modes(&lines[..=wanted], &blocks, restores, &mut checker);
+    note_modes(&lines[..=wanted], &blocks, habits.restores, &mut checker);
     note_variables(program, &lines, &mut checker);
-    let place = |place: ToolPlace| ToolPlace {
-        line: kept[place.line],
-        ..place
-    };
+    found
+        .iter_mut()
+        .for_each(|place| place.line = kept[place.line]);
     Ok(Insertion {
-        text: whole.concat(),
+        text: prefix + &rest,
         line: kept[wanted],
         first,
         count: own.len(),
-        places: found.into_iter().map(place).collect(),
+        places: found,
         findings: checker.findings(),
     })
 }
@@ -130,6 +112,25 @@ fn refusal(code: &str, message: Text) -> JobError {
     JobError {
         findings: vec![Finding::new(Level::Error, code, "", message)],
     }
+}
+
+/// The whole text up to the end of the inserted lines, and the rest of it.
+fn composed(lines: &[&str], place: usize, declarations: &[String], own: &[String]) -> [String; 2] {
+    let windows = lines.iter().any(|line| line.ends_with("\r\n"));
+    let end = if windows { "\r\n" } else { "\n" };
+    let ended = |own: &[String]| -> String { own.iter().flat_map(|line| [line, end]).collect() };
+    let mut inserted = ended(own);
+    if !lines[place].ends_with(['\n', '\r']) {
+        inserted = format!("{end}{}", inserted.trim_end_matches(['\r', '\n']));
+    }
+    let head = declaration_line(&lines[..=place]);
+    let above = [
+        lines[..head].concat(),
+        ended(declarations),
+        lines[head..=place].concat(),
+        inserted,
+    ];
+    [above.concat(), lines[place + 1..].concat()]
 }
 
 /// Lines with their ends.

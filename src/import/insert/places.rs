@@ -47,6 +47,18 @@ fn says_probe(text: &str, tool: Option<&str>) -> bool {
         && about.is_none_or(|about| Some(about) == tool)
 }
 
+/// The name of a tool: `T="PROBE"`.
+fn name_of(code: &str) -> Option<&str> {
+    let (_, name) = code.split_once("T=\"")?;
+    Some(name.split_once('"')?.0)
+}
+
+/// Whether a block activates the length of a tool.
+fn activates_length(code: &str) -> bool {
+    [43, 44, 56].iter().any(|of| has_code(code, 'G', *of))
+        || number_of(code, 'D').is_some() && !code.contains('=')
+}
+
 /// The tool changes of a program: M6, or a T with a name. The place is after the block that activates the tool's length (G43, G44, G56, D), if it comes before
 /// the next tool change. A block that the operator may skip is no place.
 pub fn places(lines: &[&str]) -> Vec<ToolPlace> {
@@ -58,14 +70,9 @@ pub fn places(lines: &[&str]) -> Vec<ToolPlace> {
     let (mut length, mut open) = (true, false);
     for (index, line) in lines.iter().enumerate() {
         let (code, comment) = parted(line);
-        let name = code
-            .split_once("T=\"")
-            .and_then(|(_, name)| Some(name.split_once('"')?.0));
-        if let Some(name) = name {
-            tool = Some(name.to_owned());
-        } else if let Some(number) = number_of(&code, 'T') {
-            tool = Some(number.trim_start_matches('0').to_owned());
-        }
+        let name = name_of(&code);
+        let number = number_of(&code, 'T').map(|number| number.trim_start_matches('0'));
+        tool = name.or(number).map(str::to_owned).or(tool);
         if trimmed(&code).is_empty() {
             said.push(comment);
             // A comment below a tool change is about its tool.
@@ -98,18 +105,12 @@ pub fn places(lines: &[&str]) -> Vec<ToolPlace> {
         } else {
             open = false;
         }
-        if let Some(place) = places.last_mut().filter(|_| !length) {
-            let lengths = [('G', 43), ('G', 44), ('G', 56)];
-            let active = lengths
-                .iter()
-                .any(|(letter, of)| has_code(&code, *letter, *of));
-            if active || number_of(&code, 'D').is_some() && !code.contains('=') {
-                length = true;
-                if skipped {
-                    places.pop();
-                } else {
-                    place.line = index;
-                }
+        if !length && activates_length(&code) {
+            length = true;
+            if skipped {
+                places.pop();
+            } else if let Some(place) = places.last_mut() {
+                place.line = index;
             }
         }
         // A block with nothing but the T belongs to the change below it.
