@@ -1,4 +1,4 @@
-//! A program inside another one: its blocks between two comments, without the beginning and the end of a program of its own, and back.
+//! Inserts a program into another one, and restores it. The inserted lines are its blocks between two comments, without tape marks, program number and end.
 //!
 //! That a declaration (`DEF`) must come before every other block of a SINUMERIK program, and that a Fanuc finds a label anywhere in a program, is recalled [R].
 
@@ -11,12 +11,12 @@ use crate::control::{PostDef, find};
 use crate::num::push_count;
 use crate::text::{Text, text};
 
-/// First and last comment of a program inside another one. The first one also names the set of its labels, unless it is the first set.
+/// First and last comment of an inserted program. The first one also names the set of its labels, unless it is the first set.
 pub const BEGINS: &str = "Touchpath begins";
 const LABEL_SET: &str = ", label set ";
 pub const ENDS: &str = "Touchpath ends";
 
-/// How a control's program is put into another one.
+/// How a control's program is inserted into another one.
 #[derive(Clone, Copy, Debug)]
 pub struct Inside {
     /// Last block of a program.
@@ -59,7 +59,7 @@ pub const NUMBERED: Inside = Inside {
 const MOST: usize = 100;
 const APART: usize = 100;
 
-/// A program as it is put into another one.
+/// The lines to insert into another program.
 #[derive(Clone, Debug)]
 pub struct Put {
     /// Lines for the start of the other program.
@@ -67,11 +67,11 @@ pub struct Put {
     pub lines: Vec<String>,
 }
 
-/// The lines of a program of this control for another program, with labels that the other one does not have. The header's hash is over these lines.
+/// The lines of a program to insert into another one, with labels that the other one does not have. The header's hash is over these lines.
 pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
     let Some(inside) = post.inside else {
         return Err(text!(
-            "{control} numbers every block: a program inside yours would change the numbers below it. Save it as a program of its own, and call it",
+            "{control} numbers every block, and inserted lines would change the numbers after them. Save the program separately and call it",
             post.title
         ));
     };
@@ -84,7 +84,7 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
     let set = free_set(&inside, &lines, other)?;
     let lines = lines
         .into_iter()
-        .map(|line| relabelled(inside.labels, line, set, true));
+        .map(|line| relabelled(inside.labels, line, set as isize));
     let (declarations, mut lines): (Vec<String>, Vec<String>) =
         lines.partition(|line| is_declaration(post, line));
     // Without exits below it the end is the last block: LinuxCNC's subprograms, above the first move, have one as well.
@@ -98,8 +98,8 @@ pub fn put(post: &PostDef, program: &str, other: &str) -> Result<Put, Text> {
             lines.pop();
         }
         (Some(end), Some((jump, label))) => {
-            lines[end] = relabelled(inside.labels, jump, set, true);
-            lines.push(relabelled(inside.labels, label, set, true));
+            lines[end] = relabelled(inside.labels, jump, set as isize);
+            lines.push(relabelled(inside.labels, label, set as isize));
         }
         _ => return Err(not_read_back()),
     }
@@ -147,7 +147,7 @@ pub fn not_read_back() -> Text {
     text!("Read back, the inserted lines are not the job's program")
 }
 
-/// The programs inside a text: their lines, from the first to the last comment, and the set of their labels.
+/// The programs inserted into a text: their lines, from the first to the last comment, and the set of their labels.
 pub fn ranges(text: &str) -> Vec<(Range<usize>, usize)> {
     let mut found = Vec::new();
     // Most texts have none.
@@ -187,7 +187,7 @@ pub fn is_declaration(post: &PostDef, line: &str) -> bool {
         .is_some_and(|inside| !inside.declares.is_empty() && line.starts_with(inside.declares))
 }
 
-/// Whether a line declares the variables of a program inside a text, whose labels belong to this set.
+/// Whether a line declares the variables of an inserted program with this set of labels.
 pub fn declares(program: &str, set: usize, line: &str) -> bool {
     post_of(&header::read(program)).is_some_and(|post| {
         is_declaration(post, line)
@@ -204,7 +204,7 @@ fn post_of(said: &HeaderLines<'_>) -> Option<&'static PostDef> {
     find(&key.to_ascii_lowercase())
 }
 
-/// The program that was put into a text, as a program of its own; `None` if there is none. Its header's hash is right if the lines in the text are unchanged.
+/// The first program that was inserted into a text, restored; `None` without one. Its header's hash is right if the inserted lines are unchanged.
 pub fn alone(text: &str) -> Option<String> {
     let (range, set) = ranges(text).into_iter().next()?;
     let all: Vec<&str> = lines_of(text).collect();
@@ -218,7 +218,7 @@ pub fn alone(text: &str) -> Option<String> {
     let head = 1 + own.iter().position(|line| hash_of(line).is_some())?;
     let lines = own[..head].iter().chain(above).chain(&own[head..]);
     let mut lines: Vec<String> = lines
-        .map(|line| relabelled(inside.labels, line, set, false))
+        .map(|line| relabelled(inside.labels, line, -(set as isize)))
         .collect();
     // Blank lines keep the numbers of the lines.
     let blanks = (range.start + 1 + own.len()).saturating_sub(lines.len());
@@ -379,20 +379,15 @@ fn is_of_set(labels: Labels, line: &str, set: usize) -> bool {
         .any(|label| label.is_name && label.number == set)
 }
 
-/// A line whose labels are moved by this many sets, up (`later`) or down.
-fn relabelled(labels: Labels, line: &str, sets: usize, later: bool) -> String {
+/// A line whose labels are moved by this many sets.
+fn relabelled(labels: Labels, line: &str, sets: isize) -> String {
     let mut out = String::with_capacity(line.len());
     let mut from = 0;
     for label in labels_in(labels, line) {
         out.push_str(&line[from..label.place.start]);
         from = label.place.end;
-        let far = sets * label.apart();
-        let number = if later {
-            label.number.saturating_add(far)
-        } else {
-            label.number.saturating_sub(far)
-        };
-        match number {
+        let far = sets * label.apart() as isize;
+        match label.number.saturating_add_signed(far) {
             0 if label.is_name => {}
             number => push_count(&mut out, number + usize::from(label.is_name)),
         }

@@ -207,7 +207,7 @@ pub struct PostDef {
     pub read: Option<Reader>,
     /// Its native cycles, if their path is known.
     pub own: Option<&'static native_run::NativeCycles>,
-    /// How its program is put into another one; `None` if that is not possible.
+    /// How its program is inserted into another one; `None` if that is not possible.
     pub inside: Option<inside::Inside>,
     /// For controls whose programs cannot write a work offset although the user can: the block to type at the end of the program, from the measured datum
     /// (abscissa, ordinate and tool axis, mm) and the number of the work offset.

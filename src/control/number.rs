@@ -10,7 +10,7 @@ use crate::text::text;
 /// Number if none is chosen.
 const DEFAULT: i32 = 1000;
 
-/// Comment of a program whose job has no number. A program inside another one has no number at all.
+/// Comment of a program whose job has no number. An inserted program has no number.
 pub(super) const NOT_CHOSEN: &str =
     "No number was chosen: this may replace a program O1000 of the control";
 

@@ -327,7 +327,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("no-moves", "A text gives no move that can be read."),
     (
         "no-place",
-        "A program is to be put into another one, and no place for it is given or found.",
+        "No place for an inserted program is given or found.",
     ),
     (
         "no-results-in-program",
@@ -381,7 +381,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "not-inserted",
-        "A program cannot be put into another one: the control, the language, the units, the labels, or a shift that is active there.",
+        "A program cannot be inserted there: because of the control, the language, the units, the labels, or the state of the other program.",
     ),
     ("not-json", "The text is not JSON."),
     (

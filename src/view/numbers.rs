@@ -169,7 +169,7 @@ impl Camera {
                     .iter()
                     .filter(|other| plate.meets(&other.plate))
                     .count(),
-                "nothing that is met was left out"
+                "the quick look finds every plate that this one meets"
             );
             let hidden = spots
                 .iter()

@@ -55,7 +55,7 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     Ok(result.into())
 }
 
-/// A program with the program of a job in it: `{ text, line, first, count, places, findings }`. `line` is the 0-based line after which it goes; without one it goes
+/// A program with the program of a job in it: `{ text, line, first, count, places, findings }`. `line` is the 0-based line after which it is inserted; without one it goes
 /// after the tool change of the probe.
 #[wasm_bindgen(js_name = insertProgram)]
 pub fn insert_program(

@@ -350,6 +350,14 @@ fn a_place_where_something_else_would_happen_is_refused() {
         ("fanuc", "G95\n", tail, "G95 is active there, and G94 after"),
         // Never reached, or more than once.
         ("fanuc", "M30\n", tail, "not reached exactly once"),
+        ("fanuc", "M5 M30\n", tail, "not reached exactly once"),
+        ("sinumerik", "/TRANS X10\n", tail, "is active there"),
+        (
+            "fanuc",
+            "G80\n",
+            "X10. Y10.\nM30\n",
+            "states no motion code",
+        ),
         (
             "fanuc",
             "GOTO 500\n",
@@ -482,6 +490,8 @@ fn the_tool_change_of_the_probe_is_found() {
             "(RENISHAW PROBE) T24 M6",
         ),
         ("T24 M6\n(3D-TASTER)\nG54\nM30\n", "T24 M6"),
+        // G56 is a work offset here, and Okuma's tool length.
+        ("T24 M6 (PROBE)\nG56\nG43 H24\nM30\n", "G43 H24"),
     ] {
         let made = insert(&fanuc, &format!("{head}{lines}"), None)
             .unwrap_or_else(|error| panic!("{lines}: {}", refused(error)));

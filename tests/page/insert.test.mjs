@@ -42,9 +42,9 @@ test("the program goes after the probe's length, or another line, and the whole 
   await put("control.post", "haas");
   await put("control.workOffset", 1);
   const own = (await program()).trim().split("\n");
-  await more("Put into a program");
+  await more("Insert into a program");
   await chooses(PART);
-  const panel = page.getByRole("region", { name: "Put into a program" });
+  const panel = page.getByRole("region", { name: "Insert into a program" });
   await panel.waitFor();
   assert.match(
     await textOf(panel.getByRole("status")),
@@ -77,10 +77,10 @@ test("the program goes after the probe's length, or another line, and the whole 
   const second = await saves();
   assert.deepEqual(second.slice(0, 9), PART.split("\n").slice(0, 9));
   assert.equal(second[9], "(TOUCHPATH BEGINS)");
-  // The job is as it was, and may be put there again after a change.
+  // The job is as it was, and its program replaces the earlier one after a change.
   await page.getByRole("button", { name: "Back to the job" }).click();
   await field("cycle.depth").fill("7");
-  await more("Put into a program");
+  await more("Insert into a program");
   await chooses(second.join("\n"));
   await panel.getByText("is in lines 10 to").waitFor();
   const third = await saves();
@@ -90,9 +90,9 @@ test("the program goes after the probe's length, or another line, and the whole 
 
 test("a program without a place is shown with the reason, and a line gives it one", async () => {
   await put("control.post", "haas");
-  await more("Put into a program");
+  await more("Insert into a program");
   await chooses("G21 G90\nG43 H1\nG0 Z50.\nM30\n");
-  const panel = page.getByRole("region", { name: "Put into a program" });
+  const panel = page.getByRole("region", { name: "Insert into a program" });
   await panel.getByText("No tool change of a probe is found").waitFor();
   const save = panel.getByRole("button", { name: "Save PART.NC" });
   assert.equal(await save.isDisabled(), true);

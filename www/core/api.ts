@@ -309,9 +309,9 @@ export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
 }
 
 /**
- * Puts the program of a job into another program, whose lines stay as they are: after `line` (0-based), or after the tool change of the probe. A program of the
- * same name that was put there before is replaced. The result is read back: the inserted lines must be the job's program and probe as they do alone. Throws
- * `JobError` if no place is found, and for a place at which the lines, or those below them, would do something else.
+ * Inserts the program of a job into another program after `line` (0-based), or after the tool change of the probe. The other lines stay as they are. An earlier
+ * inserted program of the same name is replaced. The result is read back: the inserted lines must be the job's program and probe as they do alone. Throws
+ * `JobError` if no place is found, or if something would go wrong there.
  */
 export function insertProgram(
   job: AnyJob,

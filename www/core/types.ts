@@ -65,7 +65,7 @@ export interface ProgramMoves {
 export interface Insertion {
   /** The whole text. */
   text: string;
-  /** The 0-based line of the given text after which the program is. */
+  /** The 0-based line of the given text after which the program is inserted. */
   line: Integer;
   /** The 0-based line of the first inserted line in the whole text. */
   first: Integer;
@@ -79,7 +79,7 @@ export interface Insertion {
 
 /** A place in a program: after a tool change and the activation of the tool's length. */
 export interface ToolPlace {
-  /** The 0-based line after which a program can be put. */
+  /** The 0-based line after which a program can be inserted. */
   line: Integer;
   /** The tool as the program names it: `24`, `PROBE`; `null` if it does not. */
   tool: string | null;

@@ -350,7 +350,7 @@ export class App extends LitElement {
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .opened=${this.opened} .saves=${!narrow}></tp-bar>
         <input id="file" class="visually-hidden" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
-        <input id="into" class="visually-hidden" type="file" tabindex="-1" aria-label=${this.t("Put into a program")} accept=${this.intake.readable} @change=${this.intake.insert} />
+        <input id="into" class="visually-hidden" type="file" tabindex="-1" aria-label=${this.t("Insert into a program")} accept=${this.intake.readable} @change=${this.intake.insert} />
         ${menu(frame)}
       </header>
       <div class="notes">

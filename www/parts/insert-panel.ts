@@ -25,7 +25,7 @@ export interface Into {
   why: string;
 }
 
-/** Puts the program of the form into another one. */
+/** Inserts the program of the form into another one. */
 export function into(
   store: Store,
   { text: other, isUtf8 }: FileText,
@@ -57,7 +57,7 @@ export function insertPanel(
   };
   const places = made?.places ?? [];
   const place = made?.line ?? line;
-  return html`<section class="into" aria-label=${t("Put into a program")}>
+  return html`<section class="into" aria-label=${t("Insert into a program")}>
     ${
       made
         ? html`<p role="status">${t("{job} is in lines {first} to {last} of {file}. All other lines are unchanged.", job, made.first + 1, made.first + made.count, name)}</p>`

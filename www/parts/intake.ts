@@ -52,7 +52,7 @@ export interface Viewed {
   why: Finding[];
   /** Its file name; null for a pasted text. */
   name: string | null;
-  /** If the program of the job was put into it. */
+  /** If the program of the job was inserted. */
   into?: Into;
 }
 
@@ -109,7 +109,7 @@ export class Intake {
     input.value = "";
   };
 
-  /** Puts the program of the job into the file that a user chose. */
+  /** Inserts the program of the job into the file that a user chose. */
   readonly insert = async (event: Event): Promise<void> => {
     const input = event.target as HTMLInputElement;
     const file = input.files?.[0];

@@ -69,7 +69,7 @@ export function actions({
     ["save", t("Save the program"), withheld === null],
     ["save-job", t("Save job"), true],
     ["save-picture", t("Save the picture (SVG)"), withheld === null],
-    ["into", t("Put into a program"), withheld === null],
+    ["into", t("Insert into a program"), withheld === null],
     ["share", t("Copy a link to this job"), links],
     ["sheet", t("Setup sheet to print"), withheld === null],
     ["presets", t("My machines"), local && !readonly],
@@ -138,7 +138,7 @@ export function menu(frame: Frame): TemplateResult {
   return html`<div class="menu" id="menu" popover role="group" aria-label=${t("More")} @beforetoggle=${() => frame.look()}>
       ${item("commands", t("Find anything"), true, "on-phone")} ${item("redo", t("Redo"), !readonly && store.keepsHistory, "on-phone", !store.canRedo)}
       ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("share", t("Copy a link to this job"), links)} ${of("sheet", t("Setup sheet to print"))}
-      ${item("save-job", t("Save job"))} ${of("into", t("Put into a program"))} ${of("save-picture", t("Save the picture (SVG)"))} ${item("presets", t("My machines"), local && !readonly)}
+      ${item("save-job", t("Save job"))} ${of("into", t("Insert into a program"))} ${of("save-picture", t("Save the picture (SVG)"))} ${item("presets", t("My machines"), local && !readonly)}
       ${item("lengths", t("Tool lengths (SINUMERIK)"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
       <label class="check"><input type="checkbox" id="cam" ?disabled=${store.camIsAsked} .checked=${store.cam} @change=${(
         e: Event,

@@ -1,19 +1,20 @@
-//! Puts the program of a job into another program: after the tool change of the probe, or after a line. The rest of the text keeps its bytes. The result is read
+//! Inserts the program of a job into another program: after the tool change of the probe, or after a line. The rest of the text keeps its bytes. The result is read
 //! back: the inserted lines must be the job's program, and must probe in the other program as they do alone.
 
-mod around;
+mod block;
 mod places;
-mod words;
-
-use std::ops::Range;
+mod state;
 
 use serde::Serialize;
 
-use self::around::Habits;
+use self::block::{Block, variables};
 use self::places::{places, proposed};
-use self::words::{parted, variables};
+use self::state::{State, check_below};
 use crate::control::inside::{self, Put, not_read_back};
-use crate::control::iso::lex::{lines_of, next_line, strip_prefix_nocase, trimmed, without_number};
+use crate::control::iso::codes::Family;
+use crate::control::iso::lex::{
+    code, lines_of, next_line, strip_prefix_nocase, trimmed, without_number,
+};
 use crate::control::{self, PostDef, header};
 use crate::form::{Checker, Finding, Level, Value};
 use crate::import::toolpath::{
@@ -30,7 +31,7 @@ pub use self::places::ToolPlace;
 pub struct Insertion {
     /// The whole text.
     pub text: String,
-    /// The 0-based line of the given text after which the program is.
+    /// The 0-based line of the given text after which the program is inserted.
     pub line: usize,
     /// The 0-based line of the first inserted line in the whole text.
     pub first: usize,
@@ -45,8 +46,8 @@ pub struct Insertion {
 /// Longest list of variables in a message.
 const MOST_LISTED: usize = 8;
 
-/// Puts the program of a job after the 0-based line of another program. Without a line it goes after the tool change of the probe: that of the job's
-/// `control.tool`, or else of the only tool that is called a probe. A program of the same name that was put there before is replaced.
+/// Inserts the program of a job after the 0-based line of another program. Without a line it goes after the tool change of the probe: that of the job's
+/// `control.tool`, or else of the only tool that is called a probe. An earlier inserted program of the same name is replaced.
 pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion, JobError> {
     if !fits(other, LONGEST_PROGRAM) {
         return Err(too_long(length(other)));
@@ -62,44 +63,37 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
     let given = lines_with_ends(other);
     let (kept, before) = without(&given, program);
     let lines: Vec<&str> = kept.iter().map(|line| given[*line]).collect();
-    check_language(post, &lines.concat()).map_err(refuse)?;
-    let mut found = places(&lines);
-    if let Some(line) = line.filter(|line| *line >= given.len()) {
-        let message = text!(
-            "There is no line {line}: the program has {count}",
-            line.saturating_add(1),
-            given.len()
-        );
-        return Err(refusal("no-place", message));
-    }
-    // The last line that is left of the text up to the given one.
-    let left = |line: usize| kept.iter().rposition(|own| *own <= line);
-    let own_place = || before.or_else(|| proposed(&found, tool_of(job)));
-    let Some(wanted) = line.map_or_else(own_place, left) else {
-        let message = text!("No tool change of a probe is found, or several are: choose the line");
-        return Err(refusal("no-place", message));
-    };
+    let numbered: Vec<(usize, &str)> = kept.iter().copied().zip(lines.iter().copied()).collect();
+    let rest = lines.concat();
+    let family = family_of(post, &rest).map_err(refuse)?;
+    let mut found = places(&lines, family);
+    let own_place = before.or_else(|| proposed(&found, tool_of(job)));
+    let wanted = place(line, own_place, given.len(), &kept)?;
     let Put {
         declarations,
         lines: own,
-    } = inside::put(post, program, &lines.concat()).map_err(refuse)?;
-    let blocks: Vec<&str> = own.iter().map(String::as_str).collect();
-    let habits = Habits {
-        sinumerik: control_kind::dialect_of(post.key) == Some(DIALECTS[1]),
-        restores: blocks.contains(&"M72"),
-    };
-    around::check(&lines, wanted, &blocks, habits).map_err(refuse)?;
+    } = inside::put(post, program, &rest).map_err(refuse)?;
+    let (above, below) = numbered.split_at(wanted + 1);
+    let blocks: Vec<(usize, &str)> = own.iter().map(String::as_str).enumerate().collect();
+    let [before, after] = [above, &blocks].map(|lines| State::after(lines, family));
+    let restores = own.iter().any(|line| line == "M72");
+    before.check(&after, restores).map_err(refuse)?;
+    check_below(below, family).map_err(refuse)?;
     let first = wanted + 1 + declarations.len();
-    let [prefix, rest] = composed(&lines, wanted, &declarations, &own);
-    check_read_back(post, program, &prefix, first..first + own.len()).map_err(refuse)?;
+    let [prefix, tail] = composed(&lines, wanted, &declarations, &own);
+    check_lines(post, &prefix, first).map_err(refuse)?;
+    check_moves(post, program, &setting(above, family), &own).map_err(refuse)?;
     let mut checker = Checker::default();
-    note_modes(&lines[..=wanted], &blocks, habits.restores, &mut checker);
+    if !restores {
+        note_modes(&own, &mut checker);
+        note_offset(post, [before.offset, after.offset], &mut checker);
+    }
     note_variables(program, &lines, &mut checker);
     found
         .iter_mut()
         .for_each(|place| place.line = kept[place.line]);
     Ok(Insertion {
-        text: prefix + &rest,
+        text: prefix + &tail,
         line: kept[wanted],
         first,
         count: own.len(),
@@ -112,6 +106,29 @@ fn refusal(code: &str, message: Text) -> JobError {
     JobError {
         findings: vec![Finding::new(Level::Error, code, "", message)],
     }
+}
+
+/// The index among the kept lines of the line after which a program is inserted: the given one, or else the own one.
+fn place(
+    line: Option<usize>,
+    own: Option<usize>,
+    count: usize,
+    kept: &[usize],
+) -> Result<usize, JobError> {
+    if let Some(line) = line.filter(|line| *line >= count) {
+        let message = text!(
+            "There is no line {line}: the program has {count}",
+            line.saturating_add(1),
+            count
+        );
+        return Err(refusal("no-place", message));
+    }
+    // A line of an earlier inserted program stands for the one above it.
+    let left = |line: usize| kept.iter().rposition(|own| *own <= line);
+    line.map_or(own, left).ok_or_else(|| {
+        let message = text!("No tool change of a probe is found, or several are: choose the line");
+        refusal("no-place", message)
+    })
 }
 
 /// The whole text up to the end of the inserted lines, and the rest of it.
@@ -167,8 +184,8 @@ fn without(lines: &[&str], program: &str) -> (Vec<usize>, Option<usize>) {
     ((0..lines.len()).collect(), None)
 }
 
-/// Refuses a program in the language of another control.
-fn check_language(post: &PostDef, other: &str) -> Result<(), Text> {
+/// The family of a control; refuses a program in the language of another one.
+fn family_of(post: &PostDef, other: &str) -> Result<Family, Text> {
     let own = control_kind::dialect_of(post.key);
     if own.is_some_and(|own| own != guess::guessed(other)) {
         return Err(text!(
@@ -176,7 +193,11 @@ fn check_language(post: &PostDef, other: &str) -> Result<(), Text> {
             post.title
         ));
     }
-    Ok(())
+    Ok(if own == Some(DIALECTS[1]) {
+        Family::Sinumerik
+    } else {
+        Family::Iso
+    })
 }
 
 fn tool_of(job: &Value) -> Option<String> {
@@ -209,26 +230,40 @@ fn declaration_line(lines: &[&str]) -> usize {
     begin + last.map_or(0, |last| last + 1)
 }
 
-/// Reads the lines back: as a program of their own, and at their place. `prefix` is the text up to their end.
-fn check_read_back(
-    post: &PostDef,
-    program: &str,
-    prefix: &str,
-    own: Range<usize>,
-) -> Result<(), Text> {
+/// Reads the inserted lines back: they must be the job's program. `prefix` is the whole text up to their end.
+fn check_lines(post: &PostDef, prefix: &str, first: usize) -> Result<(), Text> {
     let declares = |line: &&str| inside::is_declaration(post, line);
-    let alone: Vec<&str> = lines_of(prefix).filter(declares).collect();
-    let region: Vec<&str> = lines_of(prefix).skip(own.start).collect();
-    let region = [alone, region].concat().join("\n") + "\n";
-    let is_job = |imported: &Imported| {
-        matches!(imported, Imported::Job { findings, .. }
-            if findings.iter().all(|finding| finding.level == Level::Info))
-    };
-    if !import_with(&region, None).is_ok_and(|imported| is_job(&imported)) {
-        return Err(not_read_back());
+    let declarations: Vec<&str> = lines_of(prefix).filter(declares).collect();
+    let own: Vec<&str> = lines_of(prefix).skip(first).collect();
+    let region = [declarations, own].concat().join("\n") + "\n";
+    match import_with(&region, None) {
+        Ok(Imported::Job { findings, .. })
+            if findings.iter().all(|finding| finding.level == Level::Info) =>
+        {
+            Ok(())
+        }
+        _ => Err(not_read_back()),
     }
+}
+
+/// The lines above a place that set its state: without plain moves, of which a reader keeps only so many, and without other inserted programs, at whose exits a
+/// reader without jumps would stop.
+fn setting<'t>(above: &[(usize, &'t str)], family: Family) -> Vec<&'t str> {
+    let lines: Vec<&str> = above.iter().map(|(_, line)| *line).collect();
+    let others = inside::ranges(&lines.concat());
+    let is_other = |index: usize| others.iter().any(|(range, _)| range.contains(&index));
+    let own = lines
+        .iter()
+        .enumerate()
+        .filter(|(index, line)| !is_other(*index) && !Block::of(line, family).only_moves());
+    own.map(|(_, line)| *line).collect()
+}
+
+/// Reads the inserted lines in the state of the place: they must probe as they do alone.
+fn check_moves(post: &PostDef, program: &str, above: &[&str], own: &[String]) -> Result<(), Text> {
     let dialect = control_kind::dialect_of(post.key);
-    let [alone, whole] = [program, prefix].map(|text| read_program(text, dialect));
+    let text = format!("{}\n{}\n", above.concat(), own.join("\n"));
+    let [alone, whole] = [program, &text].map(|text| read_program(text, dialect));
     if let Some((own, other)) = alone.metric.zip(whole.metric)
         && own != other
     {
@@ -238,31 +273,28 @@ fn check_read_back(
             if own { "mm" } else { "inch" }
         ));
     }
-    // The first moves depend on where the stylus is: from the last one backwards.
-    let probing = |path: &Toolpath, lines: Range<usize>| -> Vec<usize> {
-        let is_own = |k: &usize| {
-            KINDS[path.kind[*k] as usize] == "probe" && lines.contains(&(path.line[*k] as usize))
-        };
-        (0..path.kind.len()).rev().filter(is_own).collect()
+    let probing = |path: &Toolpath, first: usize| -> Vec<[f64; 3]> {
+        let is_own =
+            |k: &usize| KINDS[path.kind[*k] as usize] == "probe" && path.line[*k] as usize >= first;
+        let moves = (0..path.kind.len()).filter(is_own);
+        moves.map(|k| path.end(k).to_array()).collect()
     };
-    let planned = probing(&alone, 0..usize::MAX);
-    let read = probing(&whole, own.clone());
-    for (k, at) in planned.into_iter().zip(read) {
-        let [planned, read] =
-            [(&alone, k), (&whole, at)].map(|(path, k)| &path.to[3 * k..3 * k + 3]);
-        let apart = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-6;
-        if planned.iter().zip(read).any(apart) {
-            return Err(not_read_back());
-        }
+    let [planned, read] = [probing(&alone, 0), probing(&whole, above.len())];
+    // Positions that are unknown in one of them cannot differ.
+    let apart = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-6;
+    let differs = planned
+        .iter()
+        .flatten()
+        .zip(read.iter().flatten())
+        .any(apart);
+    if differs || planned.len() != read.len() {
+        return Err(not_read_back());
     }
     Ok(())
 }
 
-/// Notes the modes that are active after the inserted lines, and warns of another work offset.
-fn note_modes(above: &[&str], own: &[&str], restores: bool, checker: &mut Checker) {
-    if restores {
-        return;
-    }
+/// Notes the modes that are active after the inserted lines.
+fn note_modes(own: &[String], checker: &mut Checker) {
     let is_word = |word: &str| {
         word.strip_prefix(['G', 'M'])
             .is_some_and(|number| crate::num::read(number).is_some())
@@ -281,13 +313,17 @@ fn note_modes(above: &[&str], own: &[&str], restores: bool, checker: &mut Checke
         let message = text!("Active after the inserted lines: {modes}", modes.join(" "));
         checker.info("modes-set", "", message);
     }
-    if let (Some(before), Some(after)) = (around::offset(above), around::offset(own))
+}
+
+/// Warns of another work offset than the one before the inserted lines.
+fn note_offset(post: &PostDef, offsets: [Option<i32>; 2], checker: &mut Checker) {
+    if let [Some(before), Some(after)] = offsets
         && before != after
     {
         let message = text!(
             "{after} is active after the inserted lines, and {before} before them",
-            after,
-            before
+            (post.work_offset_word)(after),
+            (post.work_offset_word)(before)
         );
         checker.warning("modes-set", "", message);
     }
@@ -297,11 +333,15 @@ fn note_modes(above: &[&str], own: &[&str], restores: bool, checker: &mut Checke
 fn note_variables(program: &str, other: &[&str], checker: &mut Checker) {
     let set: Vec<String> = lines_of(program)
         .filter(|line| line.contains('='))
-        .filter_map(|line| variables(&parted(line).0).into_iter().next())
+        .filter_map(|line| {
+            variables(&code(line, true).to_ascii_uppercase())
+                .into_iter()
+                .next()
+        })
         .collect();
     let mut shared: Vec<String> = Vec::new();
     for line in other.iter().filter(|line| line.contains(['#', 'R', 'r'])) {
-        for name in variables(&parted(line).0) {
+        for name in variables(&code(line, true).to_ascii_uppercase()) {
             if shared.len() < MOST_LISTED && set.contains(&name) && !shared.contains(&name) {
                 shared.push(name);
             }

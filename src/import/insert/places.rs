@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 
-use super::words::{has_code, number_of, parted};
-use crate::control::iso::lex::trimmed;
+use super::block::Block;
+use crate::control::iso::codes::{Effect, Family};
 
 /// A place in a program: after a tool change and the activation of the tool's length.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToolPlace {
-    /// The 0-based line after which a program can be put.
+    /// The 0-based line after which a program can be inserted.
     pub line: usize,
     /// The tool as the program names it: `24`, `PROBE`; null if it does not.
     pub tool: Option<String>,
@@ -39,82 +39,77 @@ fn says_probe(text: &str, tool: Option<&str>) -> bool {
                 .is_some_and(|number| number.starts_with(|c: char| c.is_ascii_digit()))
         })
     };
-    let about = number_of(&text, 'T').map(|number| number.trim_start_matches('0'));
+    let about = Block::of(&text, Family::Sinumerik).tool();
     let says = words().any(|word| PROBES.contains(&word) || is_model(word));
     let chinese = ["测头", "測頭"].iter().any(|word| text.contains(word));
     (says || chinese)
         && !words().any(|word| OTHERS.contains(&word))
-        && about.is_none_or(|about| Some(about) == tool)
+        && about.is_none_or(|about| Some(about.as_str()) == tool)
 }
 
-/// The name of a tool: `T="PROBE"`.
-fn name_of(code: &str) -> Option<&str> {
-    let (_, name) = code.split_once("T=\"")?;
-    Some(name.split_once('"')?.0)
+/// Whether a block activates the length of a tool: G43, G44, a SINUMERIK's D, or Okuma's G56 with H.
+fn activates_length(block: &Block, family: Family) -> bool {
+    let by_code = block.does(|effect| match effect {
+        Effect::Length(active) => active,
+        Effect::LengthGiven { .. } => true,
+        Effect::Offset(3) => block.has(b'H'),
+        _ => false,
+    });
+    by_code || family == Family::Sinumerik && block.has(b'D')
 }
 
-/// Whether a block activates the length of a tool.
-fn activates_length(code: &str) -> bool {
-    [43, 44, 56].iter().any(|of| has_code(code, 'G', *of))
-        || number_of(code, 'D').is_some() && !code.contains('=')
-}
-
-/// The tool changes of a program: M6, or a T with a name. The place is after the block that activates the tool's length (G43, G44, G56, D), if it comes before
-/// the next tool change. A block that the operator may skip is no place.
-pub fn places(lines: &[&str]) -> Vec<ToolPlace> {
+/// The tool changes of a program: M6, or a T with a name. The place is after the block that activates the tool's length, if it comes before the next tool change.
+/// A block that the operator may skip is no place.
+pub fn places(lines: &[&str], family: Family) -> Vec<ToolPlace> {
     let mut places: Vec<ToolPlace> = Vec::new();
     let mut tool: Option<String> = None;
     // The comments above a block.
-    let mut said: Vec<&str> = Vec::new();
+    let mut said: Vec<String> = Vec::new();
     // Whether the length of the last tool is active, and whether the last block is its change.
     let (mut length, mut open) = (true, false);
     for (index, line) in lines.iter().enumerate() {
-        let (code, comment) = parted(line);
-        let name = name_of(&code);
-        let number = number_of(&code, 'T').map(|number| number.trim_start_matches('0'));
-        tool = name.or(number).map(str::to_owned).or(tool);
-        if trimmed(&code).is_empty() {
-            said.push(comment);
+        let block = Block::of(line, family);
+        let number = block.tool();
+        let only_calls = number.is_some();
+        tool = block.tool_name.clone().or(number).or(tool);
+        if block.is_blank() {
             // A comment below a tool change is about its tool.
             if let Some(place) = places.last_mut().filter(|_| open) {
-                place.probe |= says_probe(comment, place.tool.as_deref());
+                place.probe |= says_probe(&block.comment, place.tool.as_deref());
             }
+            said.push(block.comment);
             continue;
         }
-        let skipped = code.starts_with('/');
-        if has_code(&code, 'M', 6) || name.is_some() {
-            let own = tool.as_deref();
-            let again =
-                name.is_none() && open && places.last().is_some_and(|last| last.tool == tool);
-            let probe = own.is_some_and(|name| says_probe(name, None))
-                || said
-                    .iter()
-                    .chain([&comment])
-                    .any(|text| says_probe(text, own));
+        let named = block.tool_name.is_some();
+        if block.does(|effect| effect == Effect::Tool) || named {
+            let again = !named && open && places.last().is_some_and(|last| last.tool == tool);
+            let about = |text: &String| says_probe(text, tool.as_deref());
+            let probe = tool.as_deref().is_some_and(|name| says_probe(name, None))
+                || said.iter().chain([&block.comment]).any(about);
             match places.last_mut() {
                 // `T="PROBE"` and its M6.
                 Some(last) if again => last.line = index,
-                _ if skipped => {}
+                _ if block.skips => {}
                 _ => places.push(ToolPlace {
                     line: index,
                     tool: tool.clone(),
                     probe,
                 }),
             }
-            (length, open) = (skipped, !skipped);
+            (length, open) = (block.skips, !block.skips);
         } else {
             open = false;
         }
-        if !length && activates_length(&code) {
+        if !length && activates_length(&block, family) {
             length = true;
-            if skipped {
+            if block.skips {
                 places.pop();
             } else if let Some(place) = places.last_mut() {
                 place.line = index;
             }
         }
         // A block with nothing but the T belongs to the change below it.
-        if open || number_of(&code, 'T').is_none() {
+        if open || !only_calls {
             said.clear();
         }
     }

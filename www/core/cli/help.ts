@@ -33,7 +33,7 @@ const COMMANDS = {
   ],
   insert: [
     "JOB PROGRAM",
-    "the program of a job inside another program, after the tool change of the probe",
+    "insert the program of a job into another program, after the tool change of the probe",
   ],
   new: ["CYCLE", "a job of a cycle with every value, ready to be changed"],
   convert: ["JOB", "a job in other units: --units mm or inch"],
@@ -99,7 +99,7 @@ const HELP_OF_OPTIONS: readonly (readonly [
     `no rules, whatever ${CONFIG_FILE} there is`,
     [...JOBS, "insert", "serve"],
   ],
-  ["--line N", "put the program after this line", ["insert"]],
+  ["--line N", "insert the program after this line", ["insert"]],
   ["--units U", "mm or inch", ["new", "convert"]],
   ["--view V", "isometric, top, front or side", ["svg"]],
   [

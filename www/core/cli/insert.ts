@@ -15,7 +15,7 @@ interface Inserted {
   code: 0 | 1;
 }
 
-/** Puts the program of a job, as JSON or in the header of a program, into another one. `line`: the line after which it goes, from 1. */
+/** Inserts the program of a job, as JSON or in the header of a program, into another one. `line`: the line after which it goes, from 1. */
 export function inserted(
   job: string,
   into: string,

@@ -121,7 +121,7 @@ function hasPairs(text: string): boolean {
   );
 }
 
-/** The text as its jobs make it: the program of the header's job, or another program with those that were put into it. */
+/** The text as its jobs make it: the program of the header's job, or another program with the inserted ones. */
 function expected(text: string, job: AnyJob): string {
   const inside = [...text.matchAll(/^.*\bTouchpath begins\b/gim)];
   if (inside.length === 0) return program(job).text;
@@ -174,7 +174,7 @@ export function verified(text: string): Verified {
   if (isInside && !hasPairs(text))
     return done(
       "changed",
-      "has a program inside without its first or last comment",
+      "has an inserted program without its first or last comment",
       findings,
     );
   const { own, head } = blocks(text, isInside);
