@@ -3,7 +3,13 @@ import { convertUnits } from "./core/browser.js";
 import { isObject } from "./job.js";
 
 /** The sections of a job that a preset holds. */
-export const SECTIONS = ["stylus", "feeds", "control", "tool"] as const;
+export const SECTIONS = [
+  "stylus",
+  "feeds",
+  "control",
+  "tool",
+  "machine",
+] as const;
 
 /** A preset: the sections in its own units. */
 export interface Preset {

@@ -304,6 +304,8 @@ namespace Touchpath
         public bool CorrectsTools { get; set; }
         /// <summary>Fields of the job's section `control` that change nothing on it.</summary>
         public string[] Unused { get; set; }
+        /// <summary>Usual lines of a shop for `machine.frame`, by place.</summary>
+        public UsualLines[] UsualLines { get; set; }
         /// <summary>Names of its work offsets, from number 1.</summary>
         public string[] WorkOffsetWords { get; set; }
         /// <summary>Whether the control supports each cycle, in each form of the program.</summary>
@@ -564,6 +566,15 @@ namespace Touchpath
         public string Units { get; set; }
         /// <summary>Its moves, in its units.</summary>
         public TraceMove[] Moves { get; set; }
+    }
+
+    /// <summary>Usual lines of a shop at one place of the program.</summary>
+    public class UsualLines
+    {
+        /// <summary>`head`, `probeOn`, …</summary>
+        public string Place { get; set; }
+        /// <summary>The lines, with placeholders such as `{tool}`.</summary>
+        public string[] Lines { get; set; }
     }
 
     /// <summary>Condition on a field under which another one counts.</summary>

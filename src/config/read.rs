@@ -180,7 +180,12 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
         let value = given.get("value").cloned();
         let number = !matches!(
             field.kind,
-            Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Point | Kind::NominalPoint
+            Kind::Flag
+                | Kind::Choice(_)
+                | Kind::Text(_)
+                | Kind::Point
+                | Kind::NominalPoint
+                | Kind::Lines(_)
         );
         if chosen
             && (form.locked

@@ -1,6 +1,8 @@
 //! The job as comments, written and read: all its values, the format, the version that wrote it, and a hash over the blocks below.
 
 use crate::control::iso::lex::{next_line, strip_prefix_nocase, without_count};
+use crate::control::shop::coded::encoded;
+use crate::control::shop::place::PATH;
 use crate::control::{HeaderDetail, Request, comment_char};
 use crate::form::Value;
 use crate::num::{format_count, push_in_full};
@@ -125,11 +127,13 @@ impl Words {
                     .iter()
                     .for_each(|(key, inner)| self.within(&[".", key], |words| words.push(inner)));
             }
+            Value::Text(line) if self.path.starts_with(PATH) => self.push_line(line),
             Value::List(items) => {
                 self.write(value);
-                let nested = items
-                    .iter()
-                    .any(|item| matches!(item, Value::Map(_) | Value::List(_)));
+                let nested = self.path.starts_with(PATH)
+                    || items
+                        .iter()
+                        .any(|item| matches!(item, Value::Map(_) | Value::List(_)));
                 // A list that is too long for a line is written value by value.
                 if items.is_empty() || (!nested && self.word.len() + JOB_LINE.len() <= self.width) {
                     return self.keep();
@@ -142,6 +146,30 @@ impl Words {
             value => {
                 self.write(value);
                 self.keep();
+            }
+        }
+    }
+
+    /// A line of the shop. A long one continues in words with `+=`.
+    fn push_line(&mut self, line: &str) {
+        let code = encoded(line, self.capitals);
+        let (mut sign, mut rest) = ("=", code.as_str());
+        loop {
+            let room = self.width - JOB_LINE.len() - self.path.len() - sign.len();
+            let mut end = room.min(rest.len());
+            // `+A` and `@28` are not cut.
+            if end < rest.len() {
+                let tail = &rest[end.saturating_sub(2)..end];
+                end -= tail.find(['+', '@']).map_or(0, |at| tail.len() - at);
+            }
+            self.word.clear();
+            [&self.path, sign, &rest[..end]]
+                .into_iter()
+                .for_each(|part| self.word.push_str(part));
+            self.keep();
+            (sign, rest) = ("+=", &rest[end..]);
+            if rest.is_empty() {
+                return;
             }
         }
     }

@@ -21,16 +21,18 @@ pub mod release;
 pub mod renishaw;
 pub mod rules;
 pub mod safety;
+pub mod shop;
 pub mod sinumerik;
 pub mod trace;
 mod write_summary;
 
 use std::cell::OnceCell;
 
+use crate::control::iso::codes::Family;
 use crate::control::iso::registers::{ComputeTiming, Registers};
 use crate::control::iso::script::{ReadError, Script};
 use crate::control::iso::writer::{Dialect, PLAIN};
-use crate::form::{Checker, Value};
+use crate::form::{Checker, PlacedLines, Value};
 use crate::formula::{Limits, OffsetCorrection, ResultCheck};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
@@ -174,6 +176,8 @@ pub struct PostDef {
     pub unused: &'static [&'static str],
     /// Fields that a program of native cycles ignores, as paths of the job.
     pub unused_by_cycles: &'static [&'static str],
+    /// Whether its programs of this form call the tool of the probe, or check that it is in the spindle.
+    pub uses_tool: fn(ProgramForm) -> bool,
     /// Whether plane and tool decide which of the tool's lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
     /// Whether its program computes the results: in plain arithmetic, with circles by normal equations instead of geometric least squares.
@@ -192,6 +196,8 @@ pub struct PostDef {
     pub constant_error: f64,
     /// Notation of its blocks.
     pub dialect: &'static Dialect,
+    /// Family of its codes.
+    pub family: Family,
     /// What its programs cannot do, and why: [`ORIENT`], [`WRITE_OFFSET`], or the name of a safety rule. [`PostDef::why_not`] reads it.
     pub unsupported_rules: &'static [(&'static str, &'static str)],
     /// Name of a program, from the name of the job.
@@ -209,6 +215,8 @@ pub struct PostDef {
     pub own: Option<&'static native_run::NativeCycles>,
     /// How its program is inserted into another one; `None` if that is not possible.
     pub inside: Option<inside::Inside>,
+    /// Usual lines of the shop, offered for a new machine.
+    pub usual_lines: shop::place::Usual,
     /// For controls whose programs cannot write a work offset although the user can: the block to type at the end of the program, from the measured datum
     /// (abscissa, ordinate and tool axis, mm) and the number of the work offset.
     pub manual_offset_block: Option<TypedWrite>,
@@ -233,6 +241,7 @@ pub const BASE: PostDef = PostDef {
     offset_has_rotation: true,
     unused: &[],
     unused_by_cycles: &["control.protection", "feeds.work", "feeds.retract"],
+    uses_tool: |_| false,
     first_length: false,
     computes: true,
     when: ComputeTiming::AtTheEnd,
@@ -242,6 +251,7 @@ pub const BASE: PostDef = PostDef {
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: &PLAIN,
+    family: Family::Iso,
     unsupported_rules: &[],
     name: comment_text,
     rate: feed_rate,
@@ -255,6 +265,7 @@ pub const BASE: PostDef = PostDef {
     read: None,
     own: None,
     inside: Some(inside::PLAIN),
+    usual_lines: &[],
     manual_offset_block: None,
 };
 
@@ -339,6 +350,8 @@ pub struct Request<'a> {
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     pub path: &'a Path,
+    /// Lines of the shop.
+    pub shop: &'a PlacedLines,
     /// The job with every value, for the header.
     pub job: Option<&'a Value>,
     pub header: HeaderDetail,
@@ -353,6 +366,12 @@ impl Request<'_> {
     /// Angle to which the program orients the spindle.
     pub fn orients_spindle(&self) -> Option<f64> {
         self.orient.filter(|_| self.post.why_not(ORIENT).is_none())
+    }
+
+    /// Number of the tool that the program checks.
+    pub fn checked_tool(&self) -> Option<i32> {
+        self.tool
+            .filter(|_| (self.post.uses_tool)(self.form) && !self.path.moves.is_empty())
     }
 
     /// Highest position of the path.

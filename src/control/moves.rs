@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::control::iso::registers::{ComputeTiming, needed_touches};
 use crate::control::iso::writer::{Writer, pieces, start_unknown};
+use crate::control::shop::place;
 use crate::control::{Program, Request};
 use crate::formula::{Formula, OffsetCorrection, ResultCheck, UsedTriggers};
 use crate::geom::Vec3;
@@ -22,8 +23,11 @@ pub struct MoveContext<'a> {
 
 /// Hooks of a control, called in the order of the program.
 pub trait Moves {
-    /// Everything before the first move: the header, checks of the control's state, modes.
+    /// Everything before the first move: the header, the shop's lines for the head and the probe, checks of the control's state, modes.
     fn begin(&mut self, w: &mut Writer<'_>);
+
+    /// Moves up from below the stated start, if the first move goes across.
+    fn rise(&mut self, _w: &mut Writer<'_>) {}
 
     /// Moves of each native cycle. Native cycles also compute and write the results.
     fn own_cycles(&self) -> Vec<Range<usize>> {
@@ -74,7 +78,7 @@ pub trait Moves {
     ) {
     }
 
-    /// Shows the results to the operator.
+    /// Shows the results to the operator; after native cycles as well.
     fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     /// The end of the program, and the exits after it.
@@ -104,6 +108,8 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let used = formula.used();
     let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
+    w.shop(&place::BEFORE_FIRST_MOVE);
+    hooks.rise(&mut w);
     let own = hooks.own_cycles();
     let needed = if request.when() == ComputeTiming::AtOnce {
         needed_touches(path)
@@ -161,10 +167,16 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     }
     match own.first() {
         None => conclude(&mut w, request, hooks, computed),
-        // If all points are given, a cycle computes without a move.
-        Some(own) if own.start == path.moves.len() => hooks.call(0, &mut w),
-        Some(_) => {}
+        Some(own) => {
+            // If all points are given, a cycle computes without a move.
+            if own.start == path.moves.len() {
+                hooks.call(0, &mut w);
+            }
+            hooks.report(&mut w, formula);
+        }
     }
+    w.shop(&place::PROBE_OFF);
+    w.shop(&place::FOOT);
     hooks.end(&mut w);
     w.finish()
 }
@@ -182,6 +194,7 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
         && datum.writes()
     {
+        w.shop(&place::BEFORE_WRITE);
         hooks.write(w, formula, number, datum);
     }
     hooks.report(w, formula);

@@ -2,7 +2,7 @@
 
 use crate::control::prove::{self, Fault, Part, Proof};
 use crate::control::safety::{self, RestartPoints, Verdict};
-use crate::control::{Program, ProgramForm, Request};
+use crate::control::{Program, ProgramForm, Request, shop};
 
 /// A program that may be handed out. Only [`release`] creates one.
 #[derive(Clone, Debug)]
@@ -43,8 +43,8 @@ pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refu
             verdicts: safety::not_followed(),
         });
     }
-    let followed =
-        prove::read_and_trace(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;
+    let text = shop::without_lines(request, &program.text);
+    let followed = prove::read_and_trace(request, &text, Part::Path).map_err(Refusal::NotProven)?;
     let proof = match request.form {
         ProgramForm::Moves => Some(
             prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?,

@@ -233,10 +233,21 @@ pub struct PostEntry {
     pub corrects_tools: bool,
     /// Fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
+    /// Usual lines of a shop for `machine.frame`, by place.
+    pub usual_lines: Vec<UsualLines>,
     /// Names of its work offsets, from number 1.
     pub work_offset_words: Vec<String>,
     /// Whether the control supports each cycle, in each form of the program.
     pub cycles: Vec<SupportEntry>,
+}
+
+/// Usual lines of a shop at one place of the program.
+#[derive(Clone, Debug, Serialize)]
+pub struct UsualLines {
+    /// `head`, `probeOn`, …
+    pub place: &'static str,
+    /// The lines, with placeholders such as `{tool}`.
+    pub lines: &'static [&'static str],
 }
 
 /// A group of codes in a parameter table.
@@ -304,6 +315,11 @@ pub fn catalog() -> Catalog {
                 computes: post.computes,
                 corrects_tools: post.own.is_some_and(|own| own.corrects_tools),
                 unused: post.unused,
+                usual_lines: post
+                    .usual_lines
+                    .iter()
+                    .map(|&(place, lines)| UsualLines { place, lines })
+                    .collect(),
                 work_offset_words: (1..=post.work_offsets).map(post.work_offset_word).collect(),
                 cycles: CYCLES
                     .iter()
@@ -415,9 +431,12 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
                 Kind::Code(_) => ("code", "none"),
                 Kind::Nominal => ("nominal", "length"),
                 Kind::NominalPoint => ("nominalPoint", "length"),
+                Kind::Lines(_) => ("lines", "none"),
             };
             let choices = match field.kind {
-                Kind::Choice(choices) => choices.iter().map(choice_entry).collect(),
+                Kind::Choice(choices) | Kind::Lines(choices) => {
+                    choices.iter().map(choice_entry).collect()
+                }
                 Kind::Code(codes) => codes.iter().map(code_entry).collect(),
                 _ => Vec::new(),
             };

@@ -4,7 +4,7 @@
 //! `tests/package/schema.test.mjs` lists the codes of those findings.
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
-use crate::form::{Field, Kind, Range, Value};
+use crate::form::{Field, Kind, LONGEST_LINE, MOST_LINES, Range, Value};
 use crate::formula::{self, ToleranceAction};
 use crate::job::{
     CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, MOST_CYCLES, MOST_STEPS, RELATIONS,
@@ -409,7 +409,8 @@ fn ends(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
         | Kind::Flag
         | Kind::Choice(_)
         | Kind::Code(_)
-        | Kind::Text(_) => None,
+        | Kind::Text(_)
+        | Kind::Lines(_) => None,
     };
     fields
         .iter()
@@ -554,6 +555,12 @@ fn field(field: &Field) -> Value {
         Kind::Point => triple("number"),
         Kind::Nominal => map([("type", Value::List(nominal))]),
         Kind::NominalPoint => three(map([("type", Value::List(nominal))])),
+        Kind::Lines(places) => object(
+            places
+                .iter()
+                .map(|place| (place.value.to_owned(), program_lines(place.label))),
+            &[],
+        ),
     };
     let Value::Map(mut entries) = (if field.null.is_some() {
         nullable(schema)
@@ -569,6 +576,21 @@ fn field(field: &Field) -> Value {
     };
     entries.push(("description".to_owned(), text(help)));
     Value::Map(entries)
+}
+
+/// Lines of a program at one place.
+fn program_lines(label: &str) -> Value {
+    let line = map([
+        ("type", text("string")),
+        ("maxLength", Value::Number(LONGEST_LINE as f64)),
+        ("pattern", text("^[ -~]*$")),
+    ]);
+    map([
+        ("type", text("array")),
+        ("items", line),
+        ("maxItems", Value::Number(MOST_LINES as f64)),
+        ("title", text(label)),
+    ])
 }
 
 /// Pattern of a size with a tolerance class, or with one or two deviations.

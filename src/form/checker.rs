@@ -1,7 +1,9 @@
 //! Reads a loose form: every problem is reported with its path, and reading never stops at the first.
 
-use crate::form::field::FieldType;
-use crate::form::{Default, Field, Finding, Kind, Level, PlainValue, Range, SubForm, Value};
+use crate::form::field::{FieldType, LONGEST_LINE, MOST_LINES, PlacedLines};
+use crate::form::{
+    Choice, Default, Field, Finding, Kind, Level, PlainValue, Range, SubForm, Value,
+};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
 use crate::text::{Part, Text, text, words};
@@ -216,9 +218,12 @@ impl Checker {
             Kind::Acceleration => format!(" {}/s²", self.unit),
             Kind::Time => " ms".to_owned(),
             Kind::Angle => "°".to_owned(),
-            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => {
-                String::new()
-            }
+            Kind::Count
+            | Kind::Flag
+            | Kind::Choice(_)
+            | Kind::Code(_)
+            | Kind::Text(_)
+            | Kind::Lines(_) => String::new(),
         }
     }
 
@@ -374,7 +379,8 @@ impl<'a, 'c> Section<'a, 'c> {
             | Kind::Flag
             | Kind::Choice(_)
             | Kind::Code(_)
-            | Kind::Text(_) => 1.0,
+            | Kind::Text(_)
+            | Kind::Lines(_) => 1.0,
         };
         if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {
             self.checker.error(
@@ -705,6 +711,72 @@ impl FieldType for String {
             }
         }
     }
+}
+
+impl FieldType for PlacedLines {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let (Kind::Lines(places), Some(given @ Value::Map(_))) =
+            (field.kind, section.get(field.key))
+        else {
+            let given = section
+                .get(field.key)
+                .filter(|given| **given != Value::Null);
+            let path = section.at(field.key);
+            section.checker.object(given, &path);
+            return PlacedLines::default();
+        };
+        let path = section.at(field.key);
+        let keys: Vec<&str> = places.iter().map(|place| place.value).collect();
+        Section::new(section.checker, Some(given), &path).only(&[], &keys);
+        let lines = |place: &Choice| {
+            let path = format!("{path}.{}", place.value);
+            let given = given.given(place.value);
+            let lines = section.checker.list(given, &path)?;
+            if lines.len() > MOST_LINES {
+                let message = text!(
+                    "{path} may have {max} lines at most",
+                    path.clone(),
+                    MOST_LINES
+                );
+                section.checker.error("too-long", path, message);
+                return None;
+            }
+            let lines: Vec<String> = lines
+                .iter()
+                .enumerate()
+                .filter_map(|(i, line)| {
+                    program_line(section.checker, line, &format!("{path}[{i}]"))
+                })
+                .collect();
+            (!lines.is_empty()).then_some((place.value, lines))
+        };
+        PlacedLines(places.iter().filter_map(lines).collect())
+    }
+}
+
+/// One line of a program; `None` if it is blank or wrong.
+fn program_line(checker: &mut Checker, value: &Value, path: &str) -> Option<String> {
+    let line = checker.text(value, path)?;
+    if line.chars().count() > LONGEST_LINE {
+        let message = text!(
+            "{label} may have {max} characters at most",
+            path.to_owned(),
+            LONGEST_LINE
+        );
+        checker.error("too-long", path, message);
+        return None;
+    }
+    if let Some(wrong) = line.chars().find(|c| !(' '..='~').contains(c)) {
+        let message = text!(
+            "A line of a program has printable ASCII characters only, not \"{wrong}\"",
+            printable(&wrong.to_string())
+        );
+        checker.error("line-characters", path, message);
+        return None;
+    }
+    let line = line.trim();
+    (!line.is_empty()).then(|| line.to_owned())
 }
 
 /// Nominal value of a size with a tolerance; `None` for any other value.

@@ -222,6 +222,10 @@ pub const CODES: &[(&str, &str)] = &[
         "The native cycle writes its results without checking the limits.",
     ),
     (
+        "line-characters",
+        "A line for the program has a character that is not printable ASCII.",
+    ),
+    (
         "lines-differ",
         "The blocks of a program are those of its job, and lines between them were changed.",
     ),
@@ -656,6 +660,18 @@ pub const CODES: &[(&str, &str)] = &[
         "The shank or the probe body above the ball hits the feature, nominal or displaced, or the stock.",
     ),
     (
+        "shop-line",
+        "A line of the shop (`machine.frame`) cannot be at its place, or a placeholder in it has no value.",
+    ),
+    (
+        "shop-lines-unknown",
+        "Lines of the shop that Touchpath does not understand: they are in the program, and are not checked.",
+    ),
+    (
+        "shop-lines-unused",
+        "Lines of the shop at a place that this program does not have: they are left out.",
+    ),
+    (
         "short-arc",
         "1411: over so short an arc the centre is uncertain.",
     ),
@@ -740,6 +756,10 @@ pub const CODES: &[(&str, &str)] = &[
     (
         "tool-length-unchecked",
         "The program does not check along which axis the length of the tool acts.",
+    ),
+    (
+        "tool-unused",
+        "The program neither calls the tool of the probe nor checks that it is in the spindle.",
     ),
     ("touch-above-top", "A picked touch is above the top side."),
     (

@@ -78,6 +78,8 @@ pub enum Kind {
     Nominal,
     /// Three nominal values: X, Y, Z.
     NominalPoint,
+    /// Lines of a program by these places, each a list of texts.
+    Lines(&'static [Choice]),
 }
 
 impl Kind {
@@ -96,7 +98,8 @@ impl Kind {
             | Kind::Flag
             | Kind::Choice(_)
             | Kind::Text(_)
-            | Kind::Code(_) => false,
+            | Kind::Code(_)
+            | Kind::Lines(_) => false,
         }
     }
 }
@@ -107,6 +110,22 @@ pub struct Code {
     /// The number in the job.
     pub value: i32,
     pub label: &'static str,
+}
+
+/// Largest number of lines at one place, and the longest line, characters.
+pub const MOST_LINES: usize = 20;
+pub const LONGEST_LINE: usize = 80;
+
+/// Lines of a program by the words of their places, in the order of the places. A place without lines is left out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PlacedLines(pub Vec<(&'static str, Vec<String>)>);
+
+impl PlacedLines {
+    /// The lines of a place.
+    pub fn at(&self, place: &str) -> &[String] {
+        let own = self.0.iter().find(|(known, _)| *known == place);
+        own.map_or(&[], |(_, lines)| lines)
+    }
 }
 
 /// A form inside a form.
@@ -350,6 +369,16 @@ impl Field {
             above: false,
         };
         Field::new(key, label, Kind::Text(most), Default::Text(default), hard)
+    }
+
+    /// Lines of a program by these places. Without lines the value is `null`.
+    pub const fn lines(key: &'static str, label: &'static str, places: &'static [Choice]) -> Self {
+        let hard = Range {
+            min: 0.0,
+            max: LONGEST_LINE as f64,
+            above: false,
+        };
+        Field::new(key, label, Kind::Lines(places), Default::Null, hard).null_means("none")
     }
 
     /// One of some whole numbers.

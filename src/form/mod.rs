@@ -17,7 +17,8 @@ pub use value::Value;
 pub(crate) use checker::{Checker, Section};
 pub(crate) use field::form;
 pub(crate) use field::{
-    BestView, Choice, Code, Default, Field, Kind, PlainValue, Range, SubForm, Values,
+    BestView, Choice, Code, Default, Field, Kind, LONGEST_LINE, MOST_LINES, PlacedLines,
+    PlainValue, Range, SubForm, Values,
 };
 
 /// Takes the checked value of `field` out of a section.

@@ -12,6 +12,8 @@ use crate::control::iso::lines;
 use crate::control::iso::machine::{self, ProbeOutcome, Run};
 use crate::control::iso::script::ReadError;
 use crate::control::prove::Fault;
+use crate::control::shop::coded;
+use crate::control::shop::place;
 use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
 use crate::cycle::{self, CycleDef};
@@ -257,11 +259,19 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
     let mut unknown = 0;
     let mut tolerances = Vec::new();
+    let mut shop_lines: Vec<(String, String)> = Vec::new();
     for (path, text) in said
         .values
         .iter()
         .filter(|(path, _)| !path.eq_ignore_ascii_case("format"))
     {
+        if let Some((place, continues)) = shop_place(path) {
+            match shop_lines.last_mut().filter(|_| continues) {
+                Some((_, line)) => line.push_str(text),
+                None => shop_lines.push((place, (*text).to_owned())),
+            }
+            continue;
+        }
         if let Some((index, rest)) = in_cycle(path) {
             let alone = format!("cycle.{rest}");
             let Some(def) = defs.get(index) else {
@@ -339,6 +349,14 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             unknown += 1;
         }
     }
+    for (place, code) in shop_lines {
+        match coded::decoded(&code) {
+            // A place without lines.
+            _ if !place.ends_with(']') => set(&mut job, &place, value(&code)),
+            Some(line) => set(&mut job, &place, Value::Text(line)),
+            None => unknown += 1,
+        }
+    }
     if let Value::Map(entries) = &mut job
         && !tolerances.is_empty()
     {
@@ -352,6 +370,21 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
         checker.warning("header-unknown", "", message);
     }
     Some(job)
+}
+
+/// The path of a line of the shop, in its proper spelling, and whether the word continues the line: `machine.frame.head[0]+`.
+fn shop_place(path: &str) -> Option<(String, bool)> {
+    let place = lex::strip_prefix_nocase(path, place::PATH)?;
+    let whole = place.strip_suffix('+').unwrap_or(place);
+    let key = whole.split('[').next()?;
+    let known = place::CHOICES
+        .iter()
+        .find(|known| known.value.eq_ignore_ascii_case(key))?;
+    let index = &whole[key.len()..];
+    Some((
+        format!("{}{}{index}", place::PATH, known.value),
+        whole.len() < place.len(),
+    ))
 }
 
 /// Index of the cycle in a path of a set-up, and the path inside the cycle.

@@ -1,5 +1,6 @@
 //! Complete jobs with all values that a job leaves out.
 
+use crate::control::shop::place::FRAME;
 use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, SubForm, Value};
 use crate::job::cycles::{
@@ -195,6 +196,10 @@ pub fn resolved(job: &Value) -> Option<Value> {
             .iter_mut()
             .filter(|(key, _)| key == "control")
             .for_each(|(_, control)| leave_usual(control));
+        entries
+            .iter_mut()
+            .filter(|(key, _)| key == "machine")
+            .for_each(|(_, machine)| leave_no_lines(machine));
     }
     Some(whole)
 }
@@ -229,6 +234,17 @@ fn leave_usual(control: &mut Value) {
         entries.retain(|(key, value)| {
             key != "run" && !(key == "lift" && *value == Value::Number(0.0))
         });
+    }
+}
+
+/// Removes the shop's lines if there are none.
+fn leave_no_lines(machine: &mut Value) {
+    if let Value::Map(entries) = machine {
+        let none = |value: &Value| match value {
+            Value::Map(places) => places.is_empty(),
+            value => *value == Value::Null,
+        };
+        entries.retain(|(key, value)| key != FRAME || !none(value));
     }
 }
 

@@ -1,8 +1,8 @@
 //! Checks a text against a job: safety rules, and proof that it is the job's program.
 
-use crate::control::Request;
 use crate::control::prove::{self, Fault, Followed, Part};
 use crate::control::safety::{self, RestartPoints};
+use crate::control::{Request, shop};
 use crate::form::{Checker, Value};
 use crate::job::SafetyRow;
 use crate::job::defaults::resolved;
@@ -32,7 +32,8 @@ pub fn check_program(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>,
                 .map(SafetyRow::of)
                 .collect()
         };
-        Some(prove::read_and_trace(request, text, Part::Unknown).map(rules))
+        let text = shop::without_lines(request, text);
+        Some(prove::read_and_trace(request, &text, Part::Unknown).map(rules))
     })?
 }
 
@@ -53,7 +54,8 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
         .map(|line| usize::try_from(*line).ok())
         .collect();
     let proven = with_request(value, false, |request| {
-        prove::read_and_trace(request, text, Part::Path)
+        let text = shop::without_lines(request, text);
+        prove::read_and_trace(request, &text, Part::Path)
             .and_then(|followed| prove::prove(request, &followed, &lines))
     });
     proven.is_some_and(|proof| proof.is_ok())

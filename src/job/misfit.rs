@@ -6,6 +6,7 @@ use crate::job::SECTIONS;
 use crate::job::cycles::{MOST_CYCLES, is_set_up, single_cycle_job};
 use crate::text::{Text, text, words};
 
+const LINES: &str = words!("an object with lists of lines");
 const POINT: &str = words!("a list of three numbers");
 const SINGLE: &str = words!("a single value");
 const OBJECT: &str = words!("an object");
@@ -121,6 +122,7 @@ fn leaves(place: &Value, prefix: &str, fields: &[Field]) -> Option<Text> {
         let value = place.get(field.key)?;
         match field.kind {
             Kind::Point | Kind::NominalPoint => must_be(is_point(value), prefix, field.key, POINT),
+            Kind::Lines(_) => must_be(is_lines(value), prefix, field.key, LINES),
             _ => must_be(is_scalar(value), prefix, field.key, SINGLE),
         }
     })
@@ -144,6 +146,17 @@ fn is_point(value: &Value) -> bool {
     match value {
         Value::List(items) => items.len() == 3 && items.iter().all(is_scalar),
         value => matches!(value, Value::Other(_)),
+    }
+}
+
+/// Whether a value has lists of single values, or is null.
+fn is_lines(value: &Value) -> bool {
+    match value {
+        Value::Map(entries) => entries.iter().all(|(_, lines)| match lines {
+            Value::List(lines) => lines.iter().all(is_scalar),
+            lines => is_scalar(lines),
+        }),
+        value => is_out(Some(value)),
     }
 }
 

@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use crate::control::release::{Refusal, release};
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
+use crate::control::shop;
 use crate::control::{HeaderDetail, ProgramForm, Request};
 use crate::form::{Checker, Finding, Value};
 use crate::formula::{self, Role};
@@ -549,11 +550,12 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
     let request = request(planned, &feeds, whole.as_ref());
     if planned.members.is_empty() {
         (job.post.check)(&request, &mut checker);
-        if checker.failed() {
-            return Err(JobError {
-                findings: checker.findings(),
-            });
-        }
+    }
+    shop::check(&request, &mut checker);
+    if checker.failed() {
+        return Err(JobError {
+            findings: checker.findings(),
+        });
     }
     let released = release(&request, (job.post.emit)(&request)).map_err(|refusal| {
         report_refusal(refusal, &mut checker);
@@ -721,6 +723,7 @@ pub(super) fn request<'a>(
         probe_input: job.probe_input,
         report: job.report,
         path: dry.as_ref().unwrap_or(path),
+        shop: &job.shop,
         protected: job.protected || !measures,
         dry: job.dry,
         job: whole,

@@ -1,8 +1,9 @@
 //! The forms of a job around the cycle.
 
+use crate::control::shop::place::{self, FRAME};
 use crate::control::{self, HeaderDetail, POSTS, PostDef, ProgramForm, ResultOutput, WRITE_OFFSET};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
-use crate::form::{Checker, Choice, Field, Section, SubForm, Value, form};
+use crate::form::{Checker, Choice, Field, PlacedLines, Section, SubForm, Value, form};
 use crate::formula::{Limits, Wear};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
@@ -240,6 +241,9 @@ form! {
         latency: f64 = Field::time("latency", "Latency", 5.0).range(0.0, 1000.0).usual(0.5, 50.0).group("Program and machine"),
         /// Permissible stylus deflection after contact, from the probe's data sheet: 3 to 12 mm sideways.
         deflection: f64 = Field::length("deflection", "Stylus deflection", 3.0).range(0.01, 100.0).usual(1.0, 15.0).group("Program and machine"),
+        /// Lines of your shop at fixed places of the program: tool change, probe on, safe position. {tool}, {offset}, {axis}, {feed}, {clearance} and {name} become
+        /// values of the job. A line must not write an offset, jump, or move below the clearance.
+        frame: PlacedLines = Field::lines(FRAME, "Shop's lines", place::CHOICES).group("Shop's lines"),
     }
 }
 
@@ -276,8 +280,8 @@ form! {
         lift: f64 = Field::length("lift", "Height of a dry run", 0.0).range(0.0, 1000.0).usual(0.0, 300.0).group("Program and machine"),
         /// Detail of the header comments. A header with the whole job lets Touchpath reopen the program.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Program and machine"),
-        /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call.
-        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Program and machine"),
+        /// Tool number of the probe. HEIDENHAIN programs call it; LinuxCNC, SINUMERIK, Fanuc and Haas programs check that it is in the spindle. Empty: neither.
+        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not checked").group("Program and machine"),
         /// Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it.
         orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Program and machine"),
         /// Probe input of the control: the one that the probe in the spindle is connected to.
@@ -368,6 +372,8 @@ pub struct Job {
     pub limits: Limits,
     /// Stopping behaviour of the machine.
     pub machine: Machine,
+    /// Lines of the shop in the program.
+    pub shop: PlacedLines,
     /// Feeds, mm/min.
     pub feeds: Feeds,
     /// Definition of the cycle.
@@ -616,6 +622,7 @@ impl Job {
             runout: stylus.runout,
             limits,
             machine: machine.machine(),
+            shop: machine.frame,
             feeds: feeds.feeds(),
             def,
             cycle,

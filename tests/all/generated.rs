@@ -169,13 +169,18 @@ fn unit(field: &Field) -> &'static str {
         Kind::Acceleration => "mm/s²",
         Kind::Time => "ms",
         Kind::Angle => "°",
-        Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => "",
+        Kind::Count
+        | Kind::Code(_)
+        | Kind::Flag
+        | Kind::Choice(_)
+        | Kind::Text(_)
+        | Kind::Lines(_) => "",
     }
 }
 
 fn range(field: &Field) -> String {
     match field.kind {
-        Kind::Flag | Kind::Choice(_) | Kind::Text(_) => String::new(),
+        Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Lines(_) => String::new(),
         Kind::Code(codes) => codes
             .iter()
             .map(|c| format!("{} {}", c.value, c.label))

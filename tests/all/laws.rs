@@ -36,6 +36,7 @@ fn field_value(field: &Field) -> BoxedStrategy<Value> {
             .prop_map(move |i| Value::Text(choices[i].value.to_owned()))
             .boxed(),
         Kind::Text(_) => "\\PC{0,30}".prop_map(Value::Text).boxed(),
+        Kind::Lines(_) => Just(Value::Null).boxed(),
         Kind::Code(codes) => (0..codes.len())
             .prop_map(move |i| Value::Number(f64::from(codes[i].value)))
             .boxed(),

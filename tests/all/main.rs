@@ -39,6 +39,7 @@ mod reread;
 mod runout;
 mod safety;
 mod set_ups;
+mod shop;
 mod sinumerik;
 mod stock;
 mod stylus;

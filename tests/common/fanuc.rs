@@ -72,6 +72,16 @@ impl Control {
 
     pub fn run(&mut self, text: &str) -> Result<(), String> {
         let lines: Vec<&str> = text.lines().collect();
+        // The operator loads the tool that the program states.
+        let stated = |line: &&str| {
+            let number = line
+                .strip_prefix("(THE PROBE IS TOOL ")?
+                .strip_suffix(')')?;
+            number.parse().ok()
+        };
+        if let Some(tool) = lines.iter().find_map(stated) {
+            self.variables.entry(4120).or_insert(tool);
+        }
         let mut next = 0;
         for _ in 0..200_000 {
             let full = *lines.get(next).ok_or("ran off the end: M30 is missing")?;

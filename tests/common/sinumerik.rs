@@ -23,6 +23,8 @@ pub struct Machine {
     pub input: u8,
     /// The active tool offset, D.
     pub tool_offset: u8,
+    /// Number of the active tool; by default the one that the program states.
+    pub tool: Option<f64>,
     pub deflected: bool,
     /// The touch, counted from 1, from which on the probe stays deflected.
     pub stuck_from: Option<usize>,
@@ -53,6 +55,7 @@ impl Machine {
             metric: true,
             input: 1,
             tool_offset: 1,
+            tool: None,
             deflected: false,
             stuck_from: None,
             message: String::new(),
@@ -72,6 +75,10 @@ impl Machine {
     }
 
     pub fn run(&mut self, program: &Program) -> Result<(), String> {
+        let stated = |comment: &String| comment.strip_prefix("The probe is tool ")?.parse().ok();
+        self.tool = self
+            .tool
+            .or_else(|| program.comments.iter().find_map(stated));
         let mut at = self.start;
         let mut next = 0;
         for _ in 0..20_000 {
@@ -246,6 +253,7 @@ impl Machine {
                     0.0
                 }
                 ("$AC_MEA", _) => self.state,
+                ("$P_TOOLNO", []) => self.tool.ok_or("no tool is stated")?,
                 ("$P_TOOL", []) => f64::from(self.tool_offset),
                 // Results of the measuring cycles.
                 ("_OVR", [_]) => 0.0,

@@ -296,12 +296,12 @@ test("fields that change nothing are known, and what the program does is one sen
   for (const key of ["startAngle", "angularStep", "stepCount", "diameter"])
     assert.ok(counts(`cycle.${key}`), key);
   assert.deepEqual(
-    [counts("control.number"), counts("control.tool")],
+    [counts("control.number"), counts("control.setUp")],
     [false, false],
   );
   store.chooseControl("fanuc");
   assert.deepEqual(
-    [counts("control.number"), counts("control.tool")],
+    [counts("control.number"), counts("control.setUp")],
     [true, false],
   );
   assert.equal(store.does, "measures only");

@@ -702,6 +702,8 @@ export interface Job {
     latency?: number;
     /** Permissible stylus deflection after contact, from the probe's data sheet: 3 to 12 mm sideways. */
     deflection?: number;
+    /** Lines of your shop at fixed places of the program: tool change, probe on, safe position. {tool}, {offset}, {axis}, {feed}, {clearance} and {name} become values of the job. A line must not write an offset, jump, or move below the clearance. `null`: none. */
+    frame?: { head?: string[]; probeOn?: string[]; beforeFirstMove?: string[]; beforeWrite?: string[]; probeOff?: string[]; foot?: string[]; onAlarm?: string[] } | null;
   };
   control?: {
     /** Which control the program is for. */
@@ -718,7 +720,7 @@ export interface Job {
     lift?: number;
     /** Detail of the header comments. A header with the whole job lets Touchpath reopen the program. */
     header?: "full" | "short";
-    /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call. `null`: in the spindle, not called. */
+    /** Tool number of the probe. HEIDENHAIN programs call it; LinuxCNC, SINUMERIK, Fanuc and Haas programs check that it is in the spindle. Empty: neither. `null`: in the spindle, not checked. */
     tool?: number | null;
     /** Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it. `null`: not oriented. */
     orient?: number | null;

@@ -61,6 +61,7 @@ export type FindingCode =
   | "lift-unused"
   | "limit-stops"
   | "limits-not-asked"
+  | "line-characters"
   | "lines-differ"
   | "lines-optional"
   | "lines-skipped"
@@ -180,6 +181,9 @@ export type FindingCode =
   | "set-up-unsupported"
   | "several-cycles"
   | "shank-collision"
+  | "shop-line"
+  | "shop-lines-unknown"
+  | "shop-lines-unused"
   | "short-arc"
   | "signs-contradict"
   | "small-hole"
@@ -203,6 +207,7 @@ export type FindingCode =
   | "tool-by-name"
   | "tool-corrected"
   | "tool-length-unchecked"
+  | "tool-unused"
   | "touch-above-top"
   | "touch-aside"
   | "touch-askew"
@@ -629,7 +634,7 @@ export interface FieldEntry {
   /** Help text in English. */
   help: string;
   /** `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`. */
-  kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint";
+  kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint" | "lines";
   /** `length`, `feed`, `acceleration`, `time`, `angle` or `none`. */
   unit: "length" | "feed" | "acceleration" | "time" | "angle" | "none";
   /** Smallest and largest allowed number; null for a flag, text or a fixed set of values. */
@@ -738,6 +743,14 @@ export interface SupportEntry {
   ownPreset: boolean;
 }
 
+/** Usual lines of a shop at one place of the program. */
+export interface UsualLines {
+  /** `head`, `probeOn`, … */
+  place: string;
+  /** The lines, with placeholders such as `{tool}`. */
+  lines: string[];
+}
+
 /** A control that programs are written for. */
 export interface PostEntry {
   /** The value of `control.post` in a job. */
@@ -758,6 +771,8 @@ export interface PostEntry {
   correctsTools: boolean;
   /** Fields of the job's section `control` that change nothing on it. */
   unused: string[];
+  /** Usual lines of a shop for `machine.frame`, by place. */
+  usualLines: UsualLines[];
   /** Names of its work offsets, from number 1. */
   workOffsetWords: string[];
   /** Whether the control supports each cycle, in each form of the program. */

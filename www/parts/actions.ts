@@ -144,6 +144,8 @@ export class Actions {
     const inside = [`f-${path}.`, `f-${path}[`];
     const field =
       fields.find((one) => one.id === `f-${path}`) ??
+      // A line of a text with several lines.
+      fields.find((one) => `f-${path}`.startsWith(`${one.id}[`)) ??
       fields.find(
         (one) =>
           one.closest("tp-form") &&

@@ -159,6 +159,8 @@ export abstract class FormRows extends FieldPart {
         return row(html`<span class="number"><input id=${`f-${path}`} type="text" spellcheck="false" aria-describedby=${`h-${path} e-${path}`}
           .value=${String(this.store.get(path) ?? "")} @focus=${() => this.store.focus(path)} @blur=${() => this.store.settle()}
           @input=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).value)} /></span>`);
+      case "lines":
+        return this.lines(placed);
       case "nominalPoint":
       case "point":
         return html`<div class="row whole" role="group" aria-label=${field.label}>
@@ -177,6 +179,48 @@ export abstract class FormRows extends FieldPart {
             : this.number(field, path, undefined, this.followed(field, path)),
         );
     }
+  }
+
+  /** Lines of the program by their places, and the usual ones of the control. */
+  protected lines({ field, path }: Placed): TemplateResult {
+    const { store } = this;
+    const held = (store.get(path) ?? {}) as Record<string, unknown>;
+    const linesOf = (place: unknown) => {
+      const lines = held[String(place)];
+      return Array.isArray(lines) ? lines.map(String) : [];
+    };
+    const put = (place: unknown, text: string) => {
+      const all = { ...held, [String(place)]: text ? text.split("\n") : [] };
+      const used = Object.entries(all).filter(
+        ([, lines]) => !Array.isArray(lines) || lines.length > 0,
+      );
+      store.set(path, used.length > 0 ? Object.fromEntries(used) : null);
+    };
+    const usual = store.post?.usualLines ?? [];
+    const useUsual = () =>
+      store.put(
+        path,
+        Object.fromEntries(usual.map(({ place, lines }) => [place, lines])),
+      );
+    return html`<p class="help" id=${`h-${path}`}>${field.help}</p>
+      ${
+        Object.keys(held).length === 0 && usual.length > 0
+          ? html`<div class="row"><button type="button" id=${`f-${path}`} @click=${useUsual}>${this.t("Enter the usual lines for {control}", store.post?.title ?? "")}</button></div>`
+          : nothing
+      }
+      ${field.choices.map(({ value: place, label }) => {
+        const at = `${path}.${place}`;
+        const lines = linesOf(place);
+        const found = store.findings.filter(
+          (one) => one.path === at || one.path.startsWith(`${at}[`),
+        );
+        const bad = found.some(({ level }) => level === "error");
+        return html`<div class="lines"><label for=${`f-${at}`}>${label}</label>
+          <textarea id=${`f-${at}`} rows=${Math.max(1, lines.length)} spellcheck="false" aria-describedby=${`h-${path} e-${at}`} aria-invalid=${bad ? "true" : "false"} .value=${live(lines.join("\n"))}
+            @focus=${() => store.focus(path)} @blur=${() => store.settle()}
+            @input=${(e: Event) => put(place, (e.target as HTMLTextAreaElement).value)}></textarea>
+          <div id=${`e-${at}`}>${found.map((one) => html`<p class=${one.level}>${this.message(one)}</p>`)}</div></div>`;
+      })}${this.problems(path)}`;
   }
 
   /** A number that may be null. Null has its own checkbox: an empty field never means rapid. */

@@ -57,7 +57,10 @@ const DOORS: [door: string, groups: RegExp][] = [
     USUAL,
     /^(Touches|Probing|Clearances|Heights|Repeated touches|Extrusion probing|Touch probe table|Feeds and limits|After probing|Postprocessor)/,
   ],
-  [MACHINE, /^(Program and machine|Probe|Tool length \(SINUMERIK\))$/],
+  [
+    MACHINE,
+    /^(Program and machine|Probe|Tool length \(SINUMERIK\)|Shop's lines)$/,
+  ],
   [PART, /^(Stock|Virtual part)$/],
 ];
 /** Groups of a cycle without a heading. */
@@ -334,6 +337,7 @@ class FormPart extends FormRows {
     const of = (f: Finding) =>
       f.path === path ||
       f.path.startsWith(`${path}[`) ||
+      f.path.startsWith(`${path}.`) ||
       (["part", "stock"].includes(f.path) && path.startsWith(`${f.path}.`));
     return this.store.findings.filter(of).map((f) => f.level);
   }
@@ -472,6 +476,7 @@ class FormPart extends FormRows {
       );
       if (choice) return [choice.label];
       if (field.kind === "text") return [String(value)];
+      if (field.kind === "lines") return [field.label];
       return [
         `${inner(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`,
       ];

@@ -17,7 +17,7 @@ import { StorePart } from "./part.js";
 const PARTS: Record<string, [string, string[]]> = {
   stylus: [w("Stylus and overtravel"), ["stylus", "overtravel"]],
   feeds: [w("Feeds"), ["feeds"]],
-  control: [w("Control and tool"), ["control", "tool"]],
+  control: [w("Control, tool and machine"), ["control", "tool", "machine"]],
 };
 
 /** Named presets of stylus, feeds and control: stored, applied, saved as a file. */

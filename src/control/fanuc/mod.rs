@@ -8,7 +8,7 @@
 //! move with a known end in Z shows which case it is. A macro statement is evaluated while the motion before it still runs: a block separates the two.
 //!
 //! Ours, and marked [I] in the docs: the comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not verified on a control
-//! [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, IF … THEN, common variables up to #149, #5221… as the origin that a program
+//! [R]: the modal values #4006, #4011, #4016 and #4120 for units, scaling, rotation and the tool, IF … THEN, common variables up to #149, #5221… as the origin that a program
 //! may write.
 
 mod check;
@@ -42,6 +42,14 @@ pub static FANUC: PostDef = PostDef {
     work_offset_word: offsets::word,
     emit: |request| written(request, &PLAIN, &CALLS),
     read: Some(read::fanuc),
+    // G28 to the top of the axis is recalled [R].
+    usual_lines: &[
+        (
+            "head",
+            &["G91 G28 {axis}0.", "G90", "T{tool} M6", "G43 H{tool}"],
+        ),
+        ("foot", &["G91 G28 {axis}0.", "G90"]),
+    ],
     own: Some(&OWN),
     ..KIN
 };
@@ -79,6 +87,11 @@ pub static HAAS: PostDef = PostDef {
     },
     emit: |request| written(request, &WITH_ALARMS, &HAAS_CALLS),
     read: Some(read::haas),
+    // 0 as the top of the axis is recalled [R].
+    usual_lines: &[
+        ("head", &["G53 G0 {axis}0.", "T{tool} M6", "G43 H{tool}"]),
+        ("foot", &["G53 G0 {axis}0."]),
+    ],
     own: Some(&HAAS_OWN),
     ..KIN
 };
@@ -86,7 +99,8 @@ pub static HAAS: PostDef = PostDef {
 /// Base of Fanuc and Haas.
 const KIN: PostDef = PostDef {
     extension: "nc",
-    unused: &["tool", "setUp", "probeInput"],
+    unused: &["setUp", "probeInput"],
+    uses_tool: |form| form == ProgramForm::Moves,
     when: ComputeTiming::AtOnce,
     nearest_trigger: IN_POSITION,
     shortest_probe: SHORTEST_PROBE,

@@ -1,11 +1,14 @@
 //! Writes the program: every probing move is a G31 that is compared with its end.
 
+use std::borrow::Cow;
+
 use super::flavour::Flavour;
 use super::{CHANGES, FIRST, SHORTEST_PROBE, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
+use crate::control::shop::place;
 use crate::control::{
     FROM_THE_TOP, Program, Request, ResultOutput, number, orientation_line, write_summary,
 };
@@ -246,12 +249,19 @@ impl SkipWriter<'_> {
     }
 
     /// States in which nothing moves, each with the text of its alarm.
-    fn states(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+    fn states(&self) -> impl Iterator<Item = (Cow<'static, str>, &'static str)> {
         let other_units = match self.request.scale == 1.0 {
             true => ("#4006 EQ 20", "SET THE UNITS TO MM"),
             false => ("#4006 EQ 21", "SET THE UNITS TO INCH"),
         };
-        std::iter::once(other_units).chain(self.flavour.states.iter().copied())
+        let other_tool = self
+            .request
+            .checked_tool()
+            .map(|tool| (Cow::Owned(format!("#4120 NE {tool}")), OTHER_TOOL));
+        std::iter::once(other_units)
+            .chain(self.flavour.states.iter().copied())
+            .map(|(check, says)| (Cow::Borrowed(check), says))
+            .chain(other_tool)
     }
 
     /// Texts of the alarms of these states, each once.
@@ -273,6 +283,9 @@ impl SkipWriter<'_> {
         !self.request.path.moves.is_empty()
     }
 }
+
+/// Alarm if another tool than the probe is in the spindle.
+const OTHER_TOOL: &str = "THE PROBE IS ANOTHER TOOL";
 
 /// Longest text of an alarm, characters.
 const LONGEST_ALARM: usize = 26;
@@ -302,6 +315,8 @@ impl Moves for SkipWriter<'_> {
             w.comment(&line);
         }
         w.says_job();
+        w.shop(&place::HEAD);
+        w.shop(&place::PROBE_ON);
         if self.moving() {
             w.comment(self.flavour.refuses);
             for (check, says) in self.states() {
@@ -670,31 +685,36 @@ impl SkipWriter<'_> {
             .request
             .writes_offset()
             .then(|| format!("{}=0", variable(self.count())));
-        let mut exit = |label: &str, lifts: Option<&str>, forget: Option<&String>, alarm: &str| {
-            w.line(&format!("N{label}"));
-            if let Some(stop) = lifts {
-                w.line(&format!(
-                    "IF [#5043-{} GE {height}] GOTO {stop}",
-                    variable(0)
-                ));
-                w.line(&lift);
-                w.line(self.flavour.halt);
-                w.line(&format!("N{stop}"));
-            }
-            forget.into_iter().for_each(|forget| w.line(forget));
-            w.line(&format!("#3000={alarm}"));
-        };
+        let mut exit =
+            |label: &str, lifts: Option<&str>, forget: Option<&String>, moved, alarm: &str| {
+                w.line(&format!("N{label}"));
+                if let Some(stop) = lifts {
+                    w.line(&format!(
+                        "IF [#5043-{} GE {height}] GOTO {stop}",
+                        variable(0)
+                    ));
+                    w.line(&lift);
+                    w.line(self.flavour.halt);
+                    w.line(&format!("N{stop}"));
+                }
+                forget.into_iter().for_each(|forget| w.line(forget));
+                if moved {
+                    w.shop(&place::ON_ALARM);
+                }
+                w.line(&format!("#3000={alarm}"));
+            };
         let contact = if self.request.dry.is_some() {
             "1(DRY RUN: IN THE WAY, #149)"
         } else {
             "1(CONTACT IN MOVE #149)"
         };
-        exit(FREE, Some("9011"), forget.as_ref(), contact);
-        exit(BLOCKED, None, forget.as_ref(), contact);
+        exit(FREE, Some("9011"), forget.as_ref(), true, contact);
+        exit(BLOCKED, None, forget.as_ref(), true, contact);
         exit(
             MISSED,
             Some("9012"),
             forget.as_ref(),
+            true,
             "2(NO CONTACT IN TOUCH #149)",
         );
         let start = if self.request.path.start.is_some() {
@@ -702,12 +722,13 @@ impl SkipWriter<'_> {
         } else {
             "4(STYLUS TOO LOW TO START)"
         };
-        exit(WRONG_START, None, None, start);
+        exit(WRONG_START, None, None, false, start);
         if self.request.writes_offset() {
             exit(
                 INCOMPLETE,
                 None,
                 forget.as_ref(),
+                true,
                 "5(TOUCHES MISSING, RESTART)",
             );
         }
@@ -716,6 +737,7 @@ impl SkipWriter<'_> {
                 &(STATES.0 + i).to_string(),
                 None,
                 None,
+                false,
                 &format!("{}({says})", STATES.1 + i),
             );
         }
@@ -724,6 +746,7 @@ impl SkipWriter<'_> {
                 &(RESULTS.0 + i).to_string(),
                 None,
                 forget.as_ref(),
+                true,
                 &format!("{}({says})", RESULTS.1 + i),
             );
         }

@@ -14,6 +14,7 @@ use crate::control::inside::{self, Inside};
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
 use crate::control::moves::{self, MoveContext, Moves, each_piece};
 use crate::control::rules;
+use crate::control::shop::place;
 use crate::control::{
     BASE, ORIENT, PostDef, Program, ProgramForm, Request, WRITE_OFFSET, check_length_axis,
     check_orientation, check_plain_moves, check_watched, orientation_line, write_summary,
@@ -57,6 +58,7 @@ const LONG_LINE_BASE: PostDef = PostDef {
             words!("the program is that of grbl and does not turn the spindle: turn it by hand"),
         ),
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
+        (place::ON_ALARM.key, CONTACT_STAYS),
         (
             rules::MISS_LIFTS,
             words!("G38.2 raises alarm 5 and stops at the current position: nothing after it runs"),
@@ -100,6 +102,8 @@ const GRBL_BASE: PostDef = PostDef {
     about: "the same moves, positioning watched by G38.3. grbl has no variables, so a program cannot compute or write anything; the page and the program say so.",
     extension: "nc",
     computes: false,
+    // The operator connects the probe. Our choice [I].
+    usual_lines: &[("probeOn", &["M0"])],
     watches_first: false,
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number", "setUp", "probeInput"],
@@ -115,6 +119,7 @@ const GRBL_BASE: PostDef = PostDef {
             words!("{control} cannot turn a spindle to an angle: turn it by hand"),
         ),
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
+        (place::ON_ALARM.key, CONTACT_STAYS),
         (
             rules::MISS_LIFTS,
             words!("G38.2 raises alarm 5 and stops at the current position: nothing after it runs"),
@@ -272,6 +277,8 @@ impl Moves for Grbl<'_> {
             None => orientation_line(self.request),
         });
         w.says_job();
+        w.shop(&place::HEAD);
+        w.shop(&place::PROBE_ON);
         w.modes();
         w.line("M5 M9");
     }

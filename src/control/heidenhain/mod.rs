@@ -11,8 +11,10 @@ pub mod read;
 
 use std::ops::Range;
 
+use crate::control::iso::codes::Family;
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, stated_start};
 use crate::control::moves::{self, MoveContext, Moves};
+use crate::control::shop::place;
 use crate::control::{
     BASE, ORIENT, PostDef, Program, ProgramForm, Request, check_orientation, write_summary,
 };
@@ -38,6 +40,7 @@ pub static DEF: PostDef = PostDef {
         ),
     )],
     watches_positioning: false,
+    family: Family::Heidenhain,
     dialect: &Dialect {
         comment: ("; ", ""),
         comment_width: 72,
@@ -45,6 +48,7 @@ pub static DEF: PostDef = PostDef {
         ..PLAIN
     },
     unused: &["orient", "number", "probeInput"],
+    uses_tool: |_| true,
     unused_by_cycles: &[
         "control.protection",
         "feeds.approach",
@@ -59,6 +63,8 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     own: Some(&plan_calls::CYCLES),
+    // Read in public programs.
+    usual_lines: &[("head", &["L M140 MB MAX"]), ("foot", &["L M140 MB MAX"])],
     inside: None,
     ..BASE
 };
@@ -181,9 +187,11 @@ impl Moves for Klartext<'_> {
         }
         w.comment("Not verified on a control: run it with a hand on the feed override");
         w.says_job();
+        w.shop(&place::HEAD);
         if let Some(tool) = request.tool {
             w.line(&format!("TOOL CALL {tool} {axis} S50"));
         }
+        w.shop(&place::PROBE_ON);
     }
 
     fn own_cycles(&self) -> Vec<Range<usize>> {

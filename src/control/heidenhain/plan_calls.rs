@@ -9,6 +9,7 @@ use crate::control::native_run::machine::{Alarm, Machine};
 use crate::control::native_run::{
     ContactQuery, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of,
 };
+use crate::control::shop::place;
 use crate::control::{Program, Request, ResultOutput, check_write, native_run, write_summary};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
@@ -586,9 +587,12 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
     w.comment("Cycles 7, 8, 10, 11 and 26 must not be active; the cycle resets a basic rotation. FUNCTION MODE MILL only");
     w.comment("Not verified on a control: run it with a hand on the feed override");
     w.says_job();
+    w.shop(&place::HEAD);
     if let Some(tool) = request.tool {
         w.line(&format!("TOOL CALL {tool} Z S50"));
     }
+    w.shop(&place::PROBE_ON);
+    w.shop(&place::BEFORE_FIRST_MOVE);
     // To the start of the first touch.
     w.names_cycle(0);
     w.leaves_move();
@@ -612,6 +616,8 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
             CallBlock::MoveTo(..) | CallBlock::Call(..) => {}
         }
     }
+    w.shop(&place::PROBE_OFF);
+    w.shop(&place::FOOT);
     w.parts(&["END PGM ", name, " ", unit]);
     w.finish()
 }

@@ -13,6 +13,11 @@ pub enum Family {
     Heidenhain,
 }
 
+/// Frames of a SINUMERIK program: without arguments they end all of them.
+pub const FRAMES: [&str; 10] = [
+    "ATRANS", "AROTS", "AROT", "ASCALE", "AMIRROR", "TRANS", "ROTS", "ROT", "SCALE", "MIRROR",
+];
+
 /// Shift of every work offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shift {

@@ -41,6 +41,14 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
     Some([place[0]?, place[1]?, place[2]?])
 }
 
+/// Start of the comment with the tool of the probe.
+pub const PROBE_TOOL: &str = "The probe is tool ";
+
+/// Number of the tool in the header: `The probe is tool 7`.
+fn stated_tool(comment: &str) -> Option<f64> {
+    crate::num::read(lex::strip_prefix_nocase(comment, PROBE_TOOL)?)
+}
+
 /// Reader of the lines of one control.
 pub trait Blocks<'t> {
     /// Reads a line: number, code, comment. The result depends only on its text and on [`Targets::place`], or [`Targets::depends`] is set.
@@ -154,6 +162,10 @@ pub fn lines<'t>(
                 // Only the first of them counts.
                 targets.depends = true;
                 script.start.get_or_insert(start);
+            }
+            if let Some(tool) = comment.and_then(|comment| stated_tool(comment.text)) {
+                targets.depends = true;
+                script.tool.get_or_insert(tool);
             }
             reader.block(script, targets, line, lex::trimmed(code), comment)
         });

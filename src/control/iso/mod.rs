@@ -3,6 +3,7 @@
 //!
 //! Writing and reading share no code, only the data of a dialect: the proof could not see an error in shared code.
 
+pub mod block;
 pub mod codes;
 pub mod lex;
 pub mod line_cache;

@@ -95,6 +95,8 @@ pub enum System {
     Metric,
     /// Active code of the units: 21 or 20, as in the program.
     UnitsCode,
+    /// Number of the tool in the spindle: the one that the program states, for a program that is started correctly.
+    Tool,
     /// A fixed value, for a program that is started correctly.
     Fixed(f64),
     /// A part of a work offset that a program may write.
@@ -276,6 +278,8 @@ pub struct Script<'t> {
     pub asked: Vec<(Slot, &'t [u8])>,
     /// Start of the ball that the program assumes, in its units, if it states one.
     pub start: Option<[f64; 3]>,
+    /// Number of the tool in the spindle that the program assumes, if it states one.
+    pub tool: Option<f64>,
     /// Whether the work offsets of its control have no rotation.
     pub offsets_lack_rotation: bool,
     /// Whether a probing move sees only the edge of the signal, not a probe that is deflected at its start.

@@ -1,5 +1,6 @@
 //! Word-address writer of the posts: blocks of G words, axis words and feeds.
 
+use crate::control::iso::lines::PROBE_TOOL;
 use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, format_count};
@@ -194,14 +195,13 @@ impl<'a> Writer<'a> {
         &self.begin_shifts[axis]
     }
 
+    pub fn request(&self) -> &'a Request<'a> {
+        self.request
+    }
+
     /// A length or feed in the program's units, with the decimals of the control.
     pub fn number(&self, mm: f64) -> Digits {
-        let digits = Digits::of(mm / self.request.scale, self.decimals());
-        if self.dialect.points {
-            digits.pointed()
-        } else {
-            digits
-        }
+        number(self.request, mm)
     }
 
     /// Axis words of a position: `X0 Y0 Z30`.
@@ -258,6 +258,9 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
+        if let Some(tool) = request.checked_tool() {
+            self.comment(&format!("{PROBE_TOOL}{tool}"));
+        }
         // Native cycles tell it themselves.
         if request.path.calls.is_some() {
             return;
@@ -539,13 +542,15 @@ impl<'a> Writer<'a> {
             }
         })
     }
+}
 
-    fn decimals(&self) -> usize {
-        if self.request.scale == 1.0 {
-            self.dialect.decimals_mm
-        } else {
-            self.dialect.decimals_inch
-        }
+/// A length or feed in the units of a program, with the decimals of its control.
+pub fn number(request: &Request<'_>, mm: f64) -> Digits {
+    let digits = Digits::of(mm / request.scale, request.post.decimals(request.scale));
+    if request.post.dialect.points {
+        digits.pointed()
+    } else {
+        digits
     }
 }
 

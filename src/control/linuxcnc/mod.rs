@@ -19,6 +19,7 @@ use crate::control::iso::writer::{
 };
 use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
 use crate::control::rules;
+use crate::control::shop::place;
 use crate::control::{
     BASE, PostDef, Program, ProgramForm, Request, ResultOutput, check_length_axis,
     check_orientation, check_plain_moves, check_rotary, check_watched, check_write,
@@ -40,7 +41,8 @@ pub static DEF: PostDef = PostDef {
     work_offset_word,
     shortest_probe: SHORTEST_PROBE,
     dialect: &DIALECT,
-    unused: &["tool", "number", "setUp", "probeInput"],
+    unused: &["number", "setUp", "probeInput"],
+    uses_tool: |_| true,
     unsupported_rules: &[(
         rules::MISS_LIFTS,
         words!(
@@ -57,6 +59,11 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
+    // 0 as the top of the axis is recalled [R].
+    usual_lines: &[
+        ("head", &["G53 G0 {axis}0", "T{tool} M6", "G43"]),
+        ("foot", &["G53 G0 {axis}0"]),
+    ],
     inside: Some(Inside {
         end: "M2",
         labels: inside::Labels::OWords,
@@ -161,6 +168,22 @@ struct LinuxCnc<'a> {
 impl Moves for LinuxCnc<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         begin(w, self.request);
+        if let Some(tool) = self.request.checked_tool() {
+            let label = self.labels.take();
+            // The interpreter that draws a program may have no tool.
+            w.parts(&[
+                "o",
+                &label,
+                &format!(" if [[#<_task> EQ 1] AND [#5400 NE {tool}]]"),
+            ]);
+            w.line(&format!(
+                "(ABORT,Tool #5400 is in the spindle, the probe is tool {tool}. Nothing has moved)"
+            ));
+            w.parts(&["o", &label, " endif"]);
+        }
+    }
+
+    fn rise(&mut self, w: &mut Writer<'_>) {
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
             rise(
@@ -309,6 +332,7 @@ impl Moves for LinuxCnc<'_> {
         let code = formula.code(&formula.results[question.result]);
         let says = format!("{code} is {value}{}", question.complaint(unit));
         if stops {
+            w.shop(&place::ON_ALARM);
             // As in the exit: the last lift ends first.
             w.line("M66 E0 L0");
             w.line(&format!(
@@ -395,6 +419,8 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
         }
     }
     w.says_job();
+    w.shop(&place::HEAD);
+    w.shop(&place::PROBE_ON);
     if request.protected && !request.path.moves.is_empty() {
         exit(w, request);
     }
@@ -448,6 +474,7 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let lift = w.number(lift);
     w.line(&format!("G1 {height} F{lift}"));
     w.line("o1 endif");
+    w.shop(&place::ON_ALARM);
     // ABORT discards moves that are read but not made yet: M66 waits until the lift has ended.
     w.line("M66 E0 L0");
     w.line(match request.dry {

@@ -47,6 +47,7 @@ fn system(name: &[u8]) -> Option<System> {
     match number {
         5061..=5063 => Some(System::Trigger(number as usize - 5061)),
         5070 => Some(System::Contact),
+        5400 => Some(System::Tool),
         5220..=5390 => {
             let (offset, place) = ((number - 5201) / 20, (number - 5201) % 20);
             match place {

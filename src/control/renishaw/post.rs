@@ -5,6 +5,7 @@
 //! and following for results that the next call overwrites.
 
 use crate::control::iso::writer::Writer;
+use crate::control::shop::place;
 use crate::control::{
     Program, Request, ResultOutput, check_orientation, check_plain_moves, check_rotary,
     check_write, number, offsets, orientation_line, rotation_field, write_summary,
@@ -183,6 +184,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
         return w.finish();
     };
     begin(request, own, calls, &mut w);
+    w.shop(&place::BEFORE_FIRST_MOVE);
     let probes = !request.path.moves.is_empty();
     if probes {
         w.names_cycle(0);
@@ -229,6 +231,8 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
         w.comment(&format!("Read the results now: {}", names.join(", ")));
         w.line("M0");
     }
+    w.shop(&place::PROBE_OFF);
+    w.shop(&place::FOOT);
     w.line(calls.end);
     if let Some(tape) = calls.tape {
         w.line(tape);
@@ -352,6 +356,8 @@ fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Write
     }
     if request.path.moves.is_empty() {
         w.says_job();
+        w.shop(&place::HEAD);
+        w.shop(&place::PROBE_ON);
         return w.modes();
     }
     let z = w.height_word(own.first - request.path.frame.w * request.setup.radius);
@@ -372,6 +378,8 @@ fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Write
     }
     w.comment("Not verified on a control: without a part it ends at the first touch. Keep a hand on feed hold");
     w.says_job();
+    w.shop(&place::HEAD);
+    w.shop(&place::PROBE_ON);
     w.modes();
     w.line("M5");
     w.line("M9");

@@ -21,12 +21,14 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::control::inside::{self, Inside, Labels};
+use crate::control::iso::codes::Family;
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards,
 };
 use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
+use crate::control::shop::place;
 use crate::control::{
     BASE, FROM_THE_TOP, PostDef, Program, ProgramForm, Request, ResultOutput, check_plain_moves,
     check_rotary, check_watched, check_write, feed_rate, orientation_line, write_summary,
@@ -52,14 +54,21 @@ pub static DEF: PostDef = PostDef {
         }
     },
     first_length: true,
+    family: Family::Sinumerik,
     dialect: &DIALECT,
-    unused: &["tool", "number", "setUp"],
+    unused: &["number", "setUp"],
+    uses_tool: |_| true,
     unused_by_cycles: &["feeds.work", "feeds.retract"],
     supports: serves,
     check,
     emit,
     read: Some(read::read),
     own: Some(&plan_calls::CYCLES),
+    // SUPA with D0 is read in public programs; 0 as the top of the axis is recalled [R].
+    usual_lines: &[
+        ("head", &["SUPA G0 {axis}0 D0", "T{tool}", "M6", "D1"]),
+        ("foot", &["SUPA G0 {axis}0 D0"]),
+    ],
     inside: Some(Inside {
         jump: Some(("GOTOF TP_END", "TP_END:")),
         declares: "DEF ",
@@ -267,6 +276,12 @@ impl Moves for Sinumerik<'_> {
         if let Some(count) = self.count() {
             w.line(&format!("R{count}=0"));
         }
+    }
+
+    fn rise(&mut self, w: &mut Writer<'_>) {
+        if self.request.form == ProgramForm::Cycle {
+            return;
+        }
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
             names_move(w, 0);
@@ -412,6 +427,14 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
+        if self.request.form == ProgramForm::Cycle {
+            let stored = self.request.path.stored().into_iter();
+            return report(
+                w,
+                self.request,
+                stored.map(|(code, stored)| (code.into(), (plan_calls::CYCLES.name)(stored))),
+            );
+        }
         let shown = formula
             .results
             .iter()
@@ -426,14 +449,6 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
-        if self.request.form == ProgramForm::Cycle {
-            let stored = self.request.path.stored().into_iter();
-            report(
-                w,
-                self.request,
-                stored.map(|(code, stored)| (code.into(), (plan_calls::CYCLES.name)(stored))),
-            );
-        }
         end(w, self.request, self.count());
     }
 }
@@ -516,6 +531,8 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     if request.report == ResultOutput::Log {
         w.line("DEF INT TP_ERROR");
     }
+    w.shop(&place::HEAD);
+    w.shop(&place::PROBE_ON);
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
     w.line(&format!(
         "IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS",
@@ -526,6 +543,9 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         request.probe_input
     ));
     w.line("IF $P_TOOL==0 GOTOF TP_TOOL");
+    if let Some(tool) = request.checked_tool() {
+        w.line(&format!("IF $P_TOOLNO<>{tool} GOTOF TP_PROBE"));
+    }
     w.modes();
     if request.plane == Plane::G18 {
         // On a lathe X may be a diameter.
@@ -813,6 +833,7 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
         if let Some(count) = count {
             w.line(&format!("R{count}=0"));
         }
+        w.shop(&place::ON_ALARM);
         stop(w);
     }
 }
@@ -836,6 +857,13 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     ] {
         w.line(&format!("{label}:"));
         w.line(&format!("MSG(\"{message}\")"));
+        stop(w);
+    }
+    if let Some(tool) = request.checked_tool() {
+        w.line("TP_PROBE:");
+        w.line(&format!(
+            "MSG(\"Another tool is active: the probe is tool {tool}. Nothing has moved\")"
+        ));
         stop(w);
     }
     let frame = match (request.work_offset, request.form) {

@@ -47,6 +47,7 @@ fn system(name: &[u8]) -> Option<System> {
         ("$A_PROBE", "1" | "2") => System::Deflected,
         // A tool offset is active.
         ("$P_TOOL", "") => System::Fixed(1.0),
+        ("$P_TOOLNO", "") => System::Tool,
         ("$MN_SCALING_SYSTEM_IS_METRIC", "") => System::Metric,
         ("$P_UIFR", inner) => {
             let mut parts = inner.split(',');

@@ -1,16 +1,15 @@
 //! Inserts the program of a job into another program: after the tool change of the probe, or after a line. The rest of the text keeps its bytes. The result is read
 //! back: the inserted lines must be the job's program, and must probe in the other program as they do alone.
 
-mod block;
 mod places;
 mod state;
 
 use serde::Serialize;
 
-use self::block::{Block, variables};
 use self::places::{places, proposed};
 use self::state::{State, check_below};
 use crate::control::inside::{self, Put, not_read_back};
+use crate::control::iso::block::{Block, variables};
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{
     code, lines_of, next_line, strip_prefix_nocase, trimmed, without_number,

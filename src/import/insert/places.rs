@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::block::Block;
+use crate::control::iso::block::Block;
 use crate::control::iso::codes::{Effect, Family};
 
 /// A place in a program: after a tool change and the activation of the tool's length.

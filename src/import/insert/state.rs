@@ -1,17 +1,12 @@
 //! The state of a program at a place: what is active there, and what the blocks below it rely on.
 
-use super::block::Block;
 use crate::control::header;
 use crate::control::inside::{BEGINS, ENDS};
-use crate::control::iso::codes::{Effect, Family, Shift};
+use crate::control::iso::block::Block;
+use crate::control::iso::codes::{Effect, FRAMES, Family, Shift};
 use crate::control::iso::lex::{strip_prefix_nocase, trimmed};
 use crate::control::iso::script::Motion;
 use crate::text::{Text, text};
-
-/// Frames of a SINUMERIK program: without arguments they end all of them.
-const FRAMES: [&str; 10] = [
-    "ATRANS", "AROTS", "AROT", "ASCALE", "AMIRROR", "TRANS", "ROTS", "ROT", "SCALE", "MIRROR",
-];
 
 /// A change of the coordinate system that stays until it is ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -44,6 +44,7 @@ const SOURCES: &[(&str, &[&str])] = &[
             "SectionEntry",
             "RelationEntry",
             "SupportEntry",
+            "UsualLines",
             "PostEntry",
             "RuleEntry",
             "CodeGroup",
@@ -73,7 +74,7 @@ const EXACT: &[(&str, &str)] = &[
     ("ChoiceEntry.value", "string | number"),
     (
         "FieldEntry.kind",
-        r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#,
+        r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint" | "lines""#,
     ),
     (
         "FieldEntry.unit",

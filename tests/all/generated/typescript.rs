@@ -167,6 +167,12 @@ fn type_of(field: &Field) -> String {
         }
         Kind::Flag => "boolean".to_owned(),
         Kind::Text(_) => "string".to_owned(),
+        Kind::Lines(places) => {
+            let own = places
+                .iter()
+                .map(|place| format!("{}?: string[]", place.value));
+            format!("{{ {} }}", own.collect::<Vec<_>>().join("; "))
+        }
         Kind::Choice(choices) => choices
             .iter()
             .map(|c| format!("\"{}\"", c.value))

@@ -153,6 +153,7 @@ impl Machine<'_, '_> {
             System::Length
             | System::Metric
             | System::UnitsCode
+            | System::Tool
             | System::Fixed(_)
             | System::Offset(_) => false,
         };
@@ -176,6 +177,7 @@ impl Machine<'_, '_> {
             System::Deflected => truth(self.state.deflected),
             System::Metric => self.metric,
             System::UnitsCode => 20.0 + self.metric,
+            System::Tool => self.script.tool.unwrap_or(f64::NAN),
             System::Fixed(x) => x,
             System::Offset(part) => self.part(part),
         }

@@ -94,6 +94,15 @@ impl Block {
         })
     }
 
+    /// Whether every G and M code is in the table.
+    pub fn knows_codes(&self) -> bool {
+        let codes = self
+            .words
+            .iter()
+            .filter(|(letter, _)| matches!(letter, b'G' | b'M'));
+        codes.count() == self.effects().count()
+    }
+
     /// Whether it moves and sets nothing but the motion.
     pub fn only_moves(&self) -> bool {
         let is_move = |effect| {

@@ -1,0 +1,209 @@
+//! Lines of the shop in a program (`machine.frame`): tool change, probe on, safe position. Every reader that judges the program sees it without them;
+//! [`judge`](mod@judge) judges the lines themselves.
+
+pub mod coded;
+mod judge;
+mod klartext;
+pub mod place;
+mod state;
+
+use std::borrow::Cow;
+
+use self::judge::{Judgement, judge};
+use self::place::{BEFORE_WRITE, ON_ALARM, PATH, PLACES, Place};
+use self::state::height;
+use crate::control::iso::lex::{lines_of, without_count};
+use crate::control::iso::writer::{Writer, number};
+use crate::control::{ProgramForm, Request, comment_text};
+use crate::form::Checker;
+use crate::geom::AXIS_NAMES;
+use crate::text::{Text, text};
+
+impl Writer<'_> {
+    /// The shop's lines of a place, below a comment.
+    pub fn shop(&mut self, place: &Place) {
+        let request = self.request();
+        let lines = lines(request, place);
+        if lines.is_empty() {
+            return;
+        }
+        self.comment(&heading(request, place, &lines));
+        for line in &lines {
+            self.line(line);
+        }
+    }
+}
+
+/// The comment above the lines of a place.
+fn heading(request: &Request<'_>, place: &Place, lines: &[String]) -> String {
+    let unknown = judge(request, place, lines).contains(&Judgement::Unknown);
+    let not = if unknown { ", not checked" } else { "" };
+    format!("Shop's lines, {}{not}", place.name)
+}
+
+/// The lines of a place with the values of the job; empty if the program does not have this place.
+fn lines(request: &Request<'_>, place: &Place) -> Vec<String> {
+    if unused(request, place).is_some() {
+        return Vec::new();
+    }
+    let given = request.shop.at(place.key).iter();
+    // A wrong placeholder is an error of the job.
+    given
+        .filter_map(|line| filled(request, line).ok())
+        .collect()
+}
+
+/// Why a program does not have this place.
+fn unused(request: &Request<'_>, place: &Place) -> Option<Text> {
+    let moves = request.form == ProgramForm::Moves;
+    if place.key == BEFORE_WRITE.key && !(moves && request.writes_offset()) {
+        return Some(text!(
+            "The program writes no work offset in a block of its own"
+        ));
+    }
+    if place.key == ON_ALARM.key && (!moves || request.post.why_not(ON_ALARM.key).is_some()) {
+        return Some(text!(
+            "The control raises the alarms itself: nothing after them runs"
+        ));
+    }
+    None
+}
+
+/// A line with the values of its placeholders.
+fn filled(request: &Request<'_>, line: &str) -> Result<String, Text> {
+    let mut out = String::with_capacity(line.len());
+    let mut rest = line;
+    while let Some((before, after)) = rest.split_once('{') {
+        out.push_str(before);
+        let (key, after) = after.split_once('}').unwrap_or((after, ""));
+        out.push_str(&value(request, key)?);
+        rest = after;
+    }
+    out.push_str(rest);
+    Ok(out)
+}
+
+/// The value of a placeholder.
+fn value(request: &Request<'_>, key: &str) -> Result<String, Text> {
+    let missing = || {
+        text!(
+            "{placeholder} has no value in this job",
+            format!("{{{key}}}")
+        )
+    };
+    match key {
+        "name" => Ok(comment_text(request.name)),
+        "tool" => request.tool.map(|n| n.to_string()).ok_or_else(missing),
+        "offset" => request
+            .work_offset
+            .map(request.post.work_offset_word)
+            .ok_or_else(missing),
+        "axis" => Ok(AXIS_NAMES[request.plane.axes()[2]].to_owned()),
+        "feed" => Ok(number(request, request.feeds.work).to_string()),
+        "clearance" if !request.path.moves.is_empty() => Ok(height(request)),
+        "clearance" => Err(missing()),
+        _ => Err(text!(
+            "The placeholders are {placeholders}",
+            "{name}, {tool}, {offset}, {axis}, {feed}, {clearance}".to_owned()
+        )),
+    }
+}
+
+/// Reports the shop's lines that cannot be in a program, those that are not understood, and places that the program does not have.
+pub fn check(request: &Request<'_>, checker: &mut Checker) {
+    let calls_tool = || {
+        let mut all = request.shop.0.iter().flat_map(|(_, lines)| lines);
+        all.any(|line| line.contains("{tool}"))
+    };
+    if request.tool.is_some() && !(request.post.uses_tool)(request.form) && !calls_tool() {
+        checker.info(
+            "tool-unused",
+            "control.tool",
+            text!("This program neither calls nor checks the tool of the probe"),
+        );
+    }
+    for place in PLACES {
+        let given = request.shop.at(place.key);
+        if given.is_empty() {
+            continue;
+        }
+        let path = format!("{PATH}{}", place.key);
+        if let Some(why) = unused(request, place) {
+            checker.info(
+                "shop-lines-unused",
+                &path,
+                text!("These lines are not in the program. {why}", why),
+            );
+            continue;
+        }
+        let mut wrong = false;
+        for (i, line) in given.iter().enumerate() {
+            if let Err(why) = filled(request, line) {
+                checker.error("shop-line", format!("{path}[{i}]"), why);
+                wrong = true;
+            }
+        }
+        if wrong {
+            continue;
+        }
+        let lines = lines(request, place);
+        let mut unknown = Vec::new();
+        for (i, judgement) in judge(request, place, &lines).into_iter().enumerate() {
+            match judgement {
+                Judgement::Understood => {}
+                Judgement::Unknown => unknown.push(lines[i].clone()),
+                Judgement::Refused(why) => {
+                    let message = text!("\"{line}\": {why}", lines[i].clone(), why);
+                    checker.error("shop-line", format!("{path}[{i}]"), message);
+                }
+            }
+        }
+        if !unknown.is_empty() {
+            let message = text!(
+                "Touchpath does not know what these lines do, and does not check them: {lines}",
+                unknown.join(" | ")
+            );
+            checker.info("shop-lines-unknown", &path, message);
+        }
+    }
+}
+
+/// A program with blank lines in place of the shop's lines. Only the lines of this request are removed, below their comments: others are read like any line.
+pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
+    if request.shop.0.is_empty() {
+        return Cow::Borrowed(text);
+    }
+    let capitals = request.post.dialect.capitals;
+    let (open, close) = request.post.dialect.comment;
+    let own: Vec<(String, Vec<String>)> = PLACES
+        .iter()
+        .filter_map(|place| {
+            let lines = lines(request, place);
+            let heading = heading(request, place, &lines);
+            let heading = if capitals {
+                heading.to_ascii_uppercase()
+            } else {
+                heading
+            };
+            (!lines.is_empty()).then(|| (format!("{open}{heading}{close}"), lines))
+        })
+        .collect();
+    let all: Vec<&str> = lines_of(text).collect();
+    let code = |at: usize| all.get(at).map_or("", |line| without_count(line.trim()));
+    let mut blank = vec![false; all.len()];
+    for at in 0..all.len() {
+        let Some((_, lines)) = own.iter().find(|(heading, _)| heading == code(at)) else {
+            continue;
+        };
+        let below = at + 1..at + 1 + lines.len();
+        if below.clone().zip(lines).all(|(at, line)| code(at) == line) {
+            blank[below].fill(true);
+        }
+    }
+    let mut out = String::with_capacity(text.len());
+    for (line, blank) in all.iter().zip(blank) {
+        out.push_str(if blank { "" } else { line });
+        out.push('\n');
+    }
+    Cow::Owned(out)
+}
