@@ -150,6 +150,34 @@ impl ResultOutput {
     }
 }
 
+/// Whether a program waits for the operator before it writes a work offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ask {
+    Never,
+    Always,
+    /// Only if a result is out of its tolerance.
+    Outside,
+}
+
+impl Ask {
+    /// `control.ask` in the job.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Ask::Never => "never",
+            Ask::Always => "always",
+            Ask::Outside => "outside",
+        }
+    }
+
+    /// The choice with this word; `Never` for any other word.
+    pub fn named(word: &str) -> Ask {
+        [Ask::Always, Ask::Outside]
+            .into_iter()
+            .find(|ask| ask.word() == word)
+            .unwrap_or(Ask::Never)
+    }
+}
+
 /// Definition of a control.
 #[derive(Clone, Copy, Debug)]
 pub struct PostDef {
@@ -347,6 +375,7 @@ pub struct Request<'a> {
     /// The probe input of the control, from 1.
     pub probe_input: usize,
     pub report: ResultOutput,
+    pub ask: Ask,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     pub path: &'a Path,
@@ -404,6 +433,23 @@ impl Request<'_> {
         } else {
             Vec::new()
         }
+    }
+
+    /// Checks of the results before the program waits for the operator; `None` if it does not wait, and no checks if it always does.
+    pub fn asks(&self) -> Option<Vec<ResultCheck>> {
+        if !self.writes_offset() || self.form == ProgramForm::Cycle {
+            return None;
+        }
+        match self.ask {
+            Ask::Never => None,
+            Ask::Always => Some(Vec::new()),
+            Ask::Outside => Some(self.path.formula.tolerance_checks().collect()),
+        }
+    }
+
+    /// Whether the program always shows the results before it writes.
+    pub fn always_asks(&self) -> bool {
+        self.asks().is_some_and(|checks| checks.is_empty())
     }
 
     /// Whether the program is read back and traced. A program of native calls is, if the cycles allow it.

@@ -68,6 +68,9 @@ pub trait Moves {
     /// Emits a plausibility check. If it fails, a program that writes stops with an alarm; any other one shows a message.
     fn check_result(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &ResultCheck) {}
 
+    /// Shows the results and waits for the operator: if a check fails, or always without checks. Only on a control that can write a work offset.
+    fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _checks: &[ResultCheck]) {}
+
     /// The single write of a work offset.
     fn write(
         &mut self,
@@ -194,6 +197,9 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
         && datum.writes()
     {
+        if let Some(checks) = request.asks() {
+            hooks.ask(w, formula, &checks);
+        }
         w.shop(&place::BEFORE_WRITE);
         hooks.write(w, formula, number, datum);
     }

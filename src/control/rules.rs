@@ -18,6 +18,8 @@ pub const PLAUSIBLE: &str = "plausible-before-write";
 pub const TOLERANCE: &str = "tolerance-obeyed";
 /// A cycle that follows a result is shifted no farther than the limit of that result.
 pub const PLACE: &str = "place-within-limit";
+/// The operator is asked before a work offset is written.
+pub const ASKED: &str = "asked-before-write";
 /// A restart in the middle writes nothing.
 pub const RESTART: &str = "restart-writes-nothing";
 /// A work offset is written last.

@@ -5,8 +5,8 @@ use crate::control::iso::machine::{self, Run, TailOutcome, TailRunner};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
-    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE, RESTART,
-    TOLERANCE, WATCHED, WRITE_LAST,
+    ASKED, CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE,
+    RESTART, TOLERANCE, WATCHED, WRITE_LAST,
 };
 use crate::control::trace::{Kind, ProbeConsequence, Step};
 use crate::formula::{CheckKind, ResultCheck};
@@ -220,6 +220,15 @@ pub static RULES: &[Rule] = &[
         violations: plausible_before_write,
     },
     Rule {
+        name: ASKED,
+        requirement: "The program waits for the operator before it writes a work offset where the job says so, and nowhere else",
+        why: "A value that nobody has seen would be written.",
+        mandatory: true,
+        own_cycle: true,
+        about: Scope::Writes,
+        violations: asked_before_write,
+    },
+    Rule {
         name: TOLERANCE,
         requirement: "A result out of its tolerance stops the program where the job says so, and nowhere else",
         why: "Machining would continue on a bad part, or stop on a good one.",
@@ -262,7 +271,7 @@ pub fn not_followed() -> Vec<Verdict> {
     let message = text!("The native cycle makes every move itself");
     RULES
         .iter()
-        .filter(|rule| ![TOLERANCE, PLACE].contains(&rule.name))
+        .filter(|rule| ![TOLERANCE, PLACE, ASKED].contains(&rule.name))
         .map(|rule| Verdict {
             rule: rule.name,
             holds: None,
@@ -291,9 +300,14 @@ pub fn check(
         .iter()
         .any(|question| question.asked != CheckKind::Plausibility);
     let follows = !request.path.shifts.is_empty();
+    let asks = request.asks().is_some();
     // Rules that no job asks for are not reported.
-    let asked =
-        |rule: &&Rule| (tolerates || rule.name != TOLERANCE) && (follows || rule.name != PLACE);
+    let asked = |rule: &&Rule| match rule.name {
+        TOLERANCE => tolerates,
+        PLACE => follows,
+        ASKED => asks,
+        _ => true,
+    };
     RULES
         .iter()
         .filter(asked)
@@ -796,7 +810,11 @@ struct CheckedResult {
 }
 
 /// The checks that a program makes. A check that belongs to no result of the program breaks the rule; `line` is then reported.
-fn answers(case: &RuleContext<'_>, line: Option<usize>) -> Result<Vec<CheckedResult>, Violation> {
+fn answers(
+    case: &RuleContext<'_>,
+    checks: Vec<ResultCheck>,
+    line: Option<usize>,
+) -> Result<Vec<CheckedResult>, Violation> {
     let of = |question: ResultCheck| {
         let formula = &case.request.path.formula;
         let named = formula.code(&formula.results[question.result]).into_owned();
@@ -821,7 +839,7 @@ fn answers(case: &RuleContext<'_>, line: Option<usize>) -> Result<Vec<CheckedRes
             limit: question.limit / unit,
         })
     };
-    case.request.questions().into_iter().map(of).collect()
+    checks.into_iter().map(of).collect()
 }
 
 /// Runs the end of the program again.
@@ -878,7 +896,7 @@ fn plausible_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
     let Some(write) = case.followed.trace.writes.first() else {
         return Vec::new();
     };
-    let mut asked = match answers(case, Some(write.line)) {
+    let mut asked = match answers(case, case.request.questions(), Some(write.line)) {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
@@ -920,8 +938,52 @@ fn plausible_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
     breaks
 }
 
+fn asked_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
+    let Some(write) = case.followed.trace.writes.first() else {
+        return Vec::new();
+    };
+    let broken = |message: Text| vec![(Some(write.line), message)];
+    // The other results have their expected values.
+    let others = case.request.questions();
+    let own = others.len();
+    let wanted = case.request.asks().unwrap_or_default();
+    let always = wanted.is_empty();
+    let checks = others.into_iter().chain(wanted).collect();
+    let asked = match answers(case, checks, Some(write.line)) {
+        Ok(asked) => asked,
+        Err(unknown) => return vec![unknown],
+    };
+    let mut endings = endings(case);
+    let good = outcome(&mut endings, &asked, None, 0.0);
+    if good.asks != always {
+        return broken(match always {
+            true => text!("This writes and does not wait for the operator"),
+            false => text!("The program waits although every result is within its tolerance"),
+        });
+    }
+    for (i, answer) in asked.iter().enumerate().skip(own) {
+        for (share, out) in [(-1.01, true), (1.01, true), (-0.99, false), (0.99, false)] {
+            let outcome = outcome(&mut endings, &asked, Some(i), share);
+            if outcome.writes && outcome.asks != out {
+                let code = answer.named.clone();
+                return broken(match out {
+                    true => text!(
+                        "This writes {code} out of its tolerance and does not wait",
+                        code
+                    ),
+                    false => text!(
+                        "The program waits although {code} is within its tolerance",
+                        code
+                    ),
+                });
+            }
+        }
+    }
+    Vec::new()
+}
+
 fn tolerance_obeyed(case: &RuleContext<'_>) -> Vec<Violation> {
-    let asked = match answers(case, None) {
+    let asked = match answers(case, case.request.questions(), None) {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
@@ -1053,12 +1115,25 @@ fn restart_writes_nothing(case: &RuleContext<'_>) -> Vec<Violation> {
     } else {
         empty.clone()
     };
+    // After a reset while the program waits for the operator.
+    let mut paused = match script.unset_value {
+        Some(_) => tail.paused_values().to_vec(),
+        None => Vec::new(),
+    };
+    for slot in script.local_slots() {
+        for values in &mut paused {
+            values[slot as usize] = script.unset_value.unwrap_or(f64::NAN);
+        }
+    }
     let mut budget = 4 * machine::BUDGET;
     let mut writes = |(i, block): &(usize, &usize)| {
         let left = script.unset_value.map(|_| left.as_slice());
         // The longest run is made with one of the two.
         let once = *i == 0 && case.restarts == RestartPoints::Critical && left.is_some();
-        let mut values = left.into_iter().chain((!once).then_some(empty.as_slice()));
+        let mut values = left
+            .into_iter()
+            .chain((!once).then_some(empty.as_slice()))
+            .chain(paused.iter().map(Vec::as_slice));
         values.any(|values| {
             machine::restarted(
                 script,

@@ -33,6 +33,14 @@ pub const CODES: &[(&str, &str)] = &[
         "A spline, or an arc of a program whose centre or start is not known or whose end is not on its circle: it is drawn straight.",
     ),
     (
+        "ask-unsupported",
+        "A program in this form, or without results on the screen or tolerances, cannot wait for the operator before it writes.",
+    ),
+    (
+        "ask-unused",
+        "The program writes nothing, so it does not wait for the operator.",
+    ),
+    (
         "ball-too-wide",
         "The ball does not fit between the walls, or into the hole.",
     ),

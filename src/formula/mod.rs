@@ -474,31 +474,30 @@ impl Formula {
                 });
             }
         }
-        questions.extend(self.results.iter().enumerate().filter_map(|(result, def)| {
-            let (
-                Tolerance {
-                    limits: [low, high],
-                    action,
-                    ..
-                },
-                variable,
-            ) = (def.tolerance?, def.variable?);
-            let asked = match action {
+        questions.extend(self.tolerance_checks().filter_map(|check| {
+            let asked = match self.results[check.result].tolerance?.action {
                 ToleranceAction::Go => return None,
                 ToleranceAction::Mark => CheckKind::MarkTolerance,
                 ToleranceAction::Stop => CheckKind::StopTolerance,
             };
-            let (wanted, limit) = ((low + high) / 2.0, (high - low) / 2.0);
-            Some(ResultCheck {
-                asked,
-                result,
-                variable,
-                expected: wanted,
-                limit,
-                angle: def.role.is_angle(),
-            })
+            Some(ResultCheck { asked, ..check })
         }));
         questions
+    }
+
+    /// Checks of all results with a tolerance, whatever its action.
+    pub fn tolerance_checks(&self) -> impl Iterator<Item = ResultCheck> {
+        self.results.iter().enumerate().filter_map(|(result, def)| {
+            let [low, high] = def.tolerance?.limits;
+            Some(ResultCheck {
+                asked: CheckKind::MarkTolerance,
+                result,
+                variable: def.variable?,
+                expected: (low + high) / 2.0,
+                limit: (high - low) / 2.0,
+                angle: def.role.is_angle(),
+            })
+        })
     }
 
     /// Check of a result before a cycle that follows it.

@@ -1,5 +1,6 @@
 //! Complete jobs with all values that a job leaves out.
 
+use crate::control::Ask;
 use crate::control::shop::place::FRAME;
 use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, SubForm, Value};
@@ -7,7 +8,7 @@ use crate::job::cycles::{
     RELATIONS, SET_UP_FORMAT, is_set_up, names, single_cycle_job, with_size_limit,
 };
 use crate::job::naming::job_name;
-use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, USUAL_SIZE, Units};
+use crate::job::sections::{ASK, FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, USUAL_SIZE, Units};
 use crate::job::sized;
 use crate::job::units::default_in;
 use crate::num::tidy;
@@ -226,7 +227,10 @@ fn put_sized(whole: &mut Value, job: &Value, def: &CycleDef, units: Units) {
 /// Omits a normal run and the first probe input, so that programs stay the same as before there was a choice.
 fn leave_usual(control: &mut Value) {
     let Value::Map(entries) = control else { return };
-    entries.retain(|(key, value)| !(key == "probeInput" && *value == Value::Number(1.0)));
+    let never = Value::Text(Ask::Never.word().to_owned());
+    entries.retain(|(key, value)| {
+        !(key == "probeInput" && *value == Value::Number(1.0) || key == ASK && *value == never)
+    });
     if entries
         .iter()
         .any(|(key, value)| key == "run" && *value == Value::Text(NORMAL_RUN.to_owned()))

@@ -6,7 +6,7 @@ use crate::control::release::{Refusal, release};
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
 use crate::control::shop;
-use crate::control::{HeaderDetail, ProgramForm, Request};
+use crate::control::{Ask, HeaderDetail, ProgramForm, Request};
 use crate::form::{Checker, Finding, Value};
 use crate::formula::{self, Role};
 use crate::geom::Vec3;
@@ -552,6 +552,13 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
         (job.post.check)(&request, &mut checker);
     }
     shop::check(&request, &mut checker);
+    if request.ask == Ask::Outside && request.always_asks() {
+        checker.error(
+            "ask-unsupported",
+            "control.ask",
+            text!("No result has a tolerance: set control.ask to \"always\""),
+        );
+    }
     if checker.failed() {
         return Err(JobError {
             findings: checker.findings(),
@@ -722,6 +729,7 @@ pub(super) fn request<'a>(
         orient: job.orient,
         probe_input: job.probe_input,
         report: job.report,
+        ask: job.ask,
         path: dry.as_ref().unwrap_or(path),
         shop: &job.shop,
         protected: job.protected || !measures,

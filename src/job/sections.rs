@@ -1,7 +1,9 @@
 //! The forms of a job around the cycle.
 
 use crate::control::shop::place::{self, FRAME};
-use crate::control::{self, HeaderDetail, POSTS, PostDef, ProgramForm, ResultOutput, WRITE_OFFSET};
+use crate::control::{
+    self, Ask, HeaderDetail, POSTS, PostDef, ProgramForm, ResultOutput, WRITE_OFFSET,
+};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
 use crate::form::{Checker, Choice, Field, PlacedLines, Section, SubForm, Value, form};
 use crate::formula::{Limits, Wear};
@@ -167,9 +169,27 @@ const RUNS: &[Choice] = &[
     },
 ];
 
+/// Key of the choice whether a program asks before it writes.
+pub const ASK: &str = "ask";
+
 /// The measuring run, and the dry run that tries the moves.
 pub const NORMAL_RUN: &str = "normal";
 const DRY_RUN: &str = "dry";
+
+const ASKS: &[Choice] = &[
+    Choice {
+        value: Ask::Never.word(),
+        label: "Never",
+    },
+    Choice {
+        value: Ask::Always.word(),
+        label: "Always",
+    },
+    Choice {
+        value: Ask::Outside.word(),
+        label: "If a result is out of tolerance",
+    },
+];
 
 const REPORTS: &[Choice] = &[
     Choice {
@@ -288,6 +308,8 @@ form! {
         probe_input: i32 = Field::count("probeInput", "Probe input", 1, 1, 2).group("Program and machine"),
         /// Where the program shows its results before it ends.
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Program and machine"),
+        /// Whether the program shows its results and waits for cycle start before it writes a work offset. A reset then writes nothing.
+        ask: String = Field::choice(ASK, "Ask before the write", ASKS).group("Program and machine"),
         /// SET_UP of the touch probe table: native cycles add it to their set-up clearance.
         set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Program and machine"),
         /// Number of the program, on controls whose programs have one. Empty: the four digits at the end of the program name (O2201, BORE2201; not a size such
@@ -399,6 +421,7 @@ pub struct Job {
     /// The probe input of the control, from 1.
     pub probe_input: usize,
     pub report: ResultOutput,
+    pub ask: Ask,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     /// Clearance that the probe table adds to the set-up clearance of native cycles, mm.
@@ -638,6 +661,7 @@ impl Job {
             orient: control.orient,
             probe_input: control.probe_input as usize,
             report: ResultOutput::named(&control.report),
+            ask: Ask::named(&control.ask),
             number: control.number,
             set_up: control.set_up,
             wear: wear::of(value.get(TOLERANCES), units.scale()),
@@ -790,6 +814,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             text!("Only a dry run is raised: this height has no effect"),
         );
     }
+    check_ask(checker, control);
     if control.number.is_some() && post.unused.contains(&"number") {
         let message = text!(
             "Programs for {title} have no number: it is ignored",
@@ -814,6 +839,33 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             );
             checker.error("work-offset-unsupported", "control.workOffset", message);
         }
+    }
+}
+
+/// A program that asks writes by moves and shows its results.
+fn check_ask(checker: &mut Checker, control: &Control) {
+    if Ask::named(&control.ask) == Ask::Never {
+        return;
+    }
+    let path = format!("control.{ASK}");
+    if control.work_offset.is_none() {
+        checker.info(
+            "ask-unused",
+            path,
+            text!("The program writes no work offset: it does not ask"),
+        );
+    } else if ProgramForm::named(&control.form) == ProgramForm::Cycle {
+        checker.error(
+            "ask-unsupported",
+            path,
+            text!("The native cycle measures and writes in one block: it cannot ask first"),
+        );
+    } else if ResultOutput::named(&control.report) != ResultOutput::Screen {
+        checker.error(
+            "ask-unsupported",
+            path,
+            text!("A program that asks shows its results on the screen: set control.report to \"screen\""),
+        );
     }
 }
 

@@ -1,5 +1,6 @@
 //! The tests of the crate, one module per subject: `cargo test --lib safety` runs one of them.
 
+mod asks;
 mod border;
 mod calls;
 mod circles;

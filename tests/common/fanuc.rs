@@ -180,7 +180,7 @@ impl Control {
                 }
                 if matches!(number, 5221..=5340 | 7001..=7960 | 14_001..=15_980) {
                     self.writes.push(number);
-                } else if !(100..=149).contains(&number) {
+                } else if !matches!(number, 1..=33 | 100..=149) {
                     return Err(fail("this variable is not for a program"));
                 }
                 self.variables.insert(number, value);

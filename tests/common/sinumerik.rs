@@ -37,6 +37,8 @@ pub struct Machine {
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
     pub writes: usize,
+    /// Number of times that M0 stopped it.
+    pub waits: usize,
     /// Position of the ball before the program.
     pub start: [f64; 3],
     touched: usize,
@@ -64,6 +66,7 @@ impl Machine {
             written: Vec::new(),
             path: Vec::new(),
             writes: 0,
+            waits: 0,
             start: [f64::NAN; 3],
             touched: 0,
             state: 0.0,
@@ -171,6 +174,7 @@ impl Machine {
                     self.path.push(at);
                 }
                 Statement::Words(words) => {
+                    self.waits += usize::from(*words == ["M0"]);
                     // The operator restarts it.
                     if words.iter().any(|w| w == "M30") {
                         return Ok(());
@@ -230,6 +234,7 @@ impl Machine {
                     "<>" => truth(a != b),
                     ">=" => truth(a >= b),
                     "<=" => truth(a <= b),
+                    ">" => truth(a > b),
                     "OR" => truth(a != 0.0 || b != 0.0),
                     op => return Err(format!("{op}?")),
                 }

@@ -728,6 +728,8 @@ export interface Job {
     probeInput?: number;
     /** Where the program shows its results before it ends. */
     report?: "screen" | "log" | "none";
+    /** Whether the program shows its results and waits for cycle start before it writes a work offset. A reset then writes nothing. */
+    ask?: "never" | "always" | "outside";
     /** SET_UP of the touch probe table: native cycles add it to their set-up clearance. */
     setUp?: number;
     /** Number of the program, on controls whose programs have one. Empty: the four digits at the end of the program name (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */

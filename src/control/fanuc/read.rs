@@ -7,7 +7,7 @@ use crate::control::iso::lines::{self, Blocks};
 use crate::control::iso::parse::{
     self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault,
 };
-use crate::control::iso::script::{BlockKind, LookAhead, Part, ReadError, Script, System};
+use crate::control::iso::script::{BlockKind, Locals, LookAhead, Part, ReadError, Script, System};
 use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
@@ -65,8 +65,9 @@ fn system(name: &[u8]) -> Option<System> {
 
 fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'G', 200 | 210 | 310 | 530 | 540 | 550 | 560 | 570 | 580 | 590 | 800)
-        | (b'M', 0 | 190) => Some(""),
+        (b'G', 200 | 210 | 310 | 530 | 540 | 550 | 560 | 570 | 580 | 590 | 800) | (b'M', 190) => {
+            Some("")
+        }
         (b'G', 541) => Some("P"),
         _ => words::common(letter, tenths),
     }
@@ -139,6 +140,7 @@ fn read<'t>(
     let mut script = Script::with_room_for(text);
     script.offsets_lack_rotation = true;
     script.unset_value = Some(0.0);
+    script.locals = Locals::Numbers;
     script.ahead = LookAhead::ReadsAndActs;
     // Default of parameter 6004. In the other range no angle exceeds 180, from which a program would subtract a turn.
     script.full_circle = true;
@@ -263,7 +265,7 @@ fn assignment<'t>(
     match system(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(BlockKind::Alarm),
         // A message: the program continues after cycle start.
-        _ if name == b"#3006" && script.number(value).is_some() => Ok(BlockKind::Nothing),
+        _ if name == b"#3006" && script.number(value).is_some() => Ok(BlockKind::Pause),
         None if !own(name) => Ok(BlockKind::SetOther(script.slot(name), value)),
         None => Ok(BlockKind::Set(script.slot(name), value)),
         Some(System::Offset(part)) => Ok(BlockKind::SetOffset(part, value)),

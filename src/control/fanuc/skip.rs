@@ -480,18 +480,8 @@ impl Moves for SkipWriter<'_> {
     }
 
     fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
-        let unit = if question.angle {
-            1.0
-        } else {
-            self.request.scale
-        };
         let register = self.registers.variables[question.variable.index()];
-        let [limit, wanted] = [question.limit, question.expected].map(|x| constant(x / unit));
-        let off = match wanted.as_str() {
-            "0." => variable(register),
-            text if text.starts_with('-') => format!("{}-[{text}]", variable(register)),
-            text => format!("{}-{text}", variable(register)),
-        };
+        let (off, limit) = self.deviation(question);
         let result = &formula.results[question.result];
         let off_or_out = if matches!(
             question.asked,
@@ -526,8 +516,29 @@ impl Moves for SkipWriter<'_> {
             // A message and a wait, not an alarm.
             let good = self.label();
             w.line(&format!("IF [ABS[{off}] LE {limit}] GOTO {good}"));
-            w.line(&format!("#3006={}({alarm})", RESULTS.1));
+            self.wait(w, &format!("#3006={}({alarm})", RESULTS.1));
             w.line(&format!("N{good}"));
+        }
+    }
+
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, checks: &[ResultCheck]) {
+        let [shows, goes_on] = [self.label(), self.label()];
+        for check in checks {
+            let (off, limit) = self.deviation(check);
+            w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {shows}"));
+        }
+        if !checks.is_empty() {
+            w.line(&format!("GOTO {goes_on}"));
+            w.line(&format!("N{shows}"));
+        }
+        w.comment(&format!(
+            "Read the results now: {}",
+            self.result_names(formula)
+        ));
+        w.comment("Cycle start writes the work offset. Reset leaves it unchanged");
+        self.wait(w, "M0");
+        if !checks.is_empty() {
+            w.line(&format!("N{goes_on}"));
         }
     }
 
@@ -583,23 +594,14 @@ impl Moves for SkipWriter<'_> {
             w.comment("A work offset has no rotation. What turns the system by the one measured:");
             w.comment(&format!("G68 X{x} Y{y} R{turn}"));
         }
-        let results = formula
-            .results
-            .iter()
-            .filter(|result| result.variable.is_some())
-            .enumerate();
-        let mut results = results
-            .map(|(i, result)| (variable(i + 1), formula.code(result)))
-            .peekable();
+        let mut results = shown(formula).peekable();
         if results.peek().is_none() {
             return;
         }
         match self.request.report {
             ResultOutput::None => {}
+            ResultOutput::Screen if self.request.always_asks() => {}
             ResultOutput::Screen => {
-                let list: Vec<String> = results
-                    .map(|(variable, code)| format!("{variable}={code}"))
-                    .collect();
                 let forgets = if self.flavour.forgets {
                     ". M30 may clear them"
                 } else {
@@ -607,7 +609,7 @@ impl Moves for SkipWriter<'_> {
                 };
                 w.comment(&format!(
                     "Read the results now: {}{forgets}",
-                    list.join(", ")
+                    self.result_names(formula)
                 ));
                 w.line("M0");
             }
@@ -639,7 +641,53 @@ impl Moves for SkipWriter<'_> {
     }
 }
 
+/// Variables of the results, with their codes.
+fn shown(formula: &Formula) -> impl Iterator<Item = (String, Cow<'_, str>)> {
+    let results = formula
+        .results
+        .iter()
+        .filter(|result| result.variable.is_some())
+        .enumerate();
+    results.map(|(i, result)| (variable(i + 1), formula.code(result)))
+}
+
 impl SkipWriter<'_> {
+    /// `#101=center.x, #102=center.y`
+    fn result_names(&self, formula: &Formula) -> String {
+        let names: Vec<String> = shown(formula)
+            .map(|(variable, code)| format!("{variable}={code}"))
+            .collect();
+        names.join(", ")
+    }
+
+    /// Deviation of a result from its expected value, and its limit.
+    fn deviation(&self, check: &ResultCheck) -> (String, String) {
+        let unit = if check.angle { 1.0 } else { self.request.scale };
+        let register = self.registers.variables[check.variable.index()];
+        let [limit, wanted] = [check.limit, check.expected].map(|x| constant(x / unit));
+        let off = match wanted.as_str() {
+            "0." => variable(register),
+            text if text.starts_with('-') => format!("{}-[{text}]", variable(register)),
+            text => format!("{}-{text}", variable(register)),
+        };
+        (off, limit)
+    }
+
+    /// Waits for the operator. The count of touches is in a local variable meanwhile, which a reset clears: a start after the wait then writes nothing.
+    fn wait(&self, w: &mut Writer<'_>, block: &str) {
+        let count = variable(self.count());
+        let writes = self.request.writes_offset();
+        if writes {
+            w.line(&format!("#1={count}"));
+            w.line(&format!("{count}=0"));
+        }
+        w.line(block);
+        if writes {
+            w.line(&format!("{count}=#1"));
+            w.line("#1=0");
+        }
+    }
+
     /// Notes for the operator before the run.
     fn head(&self, w: &mut Writer<'_>) {
         let request = self.request;

@@ -106,7 +106,7 @@ const GRBL_BASE: PostDef = PostDef {
     usual_lines: &[("probeOn", &["M0"])],
     watches_first: false,
     dialect: &DIALECT,
-    unused: &["tool", "orient", "report", "number", "setUp", "probeInput"],
+    unused: &["orient", "report", "ask", "number", "setUp", "probeInput"],
     unsupported_rules: &[
         (
             WRITE_OFFSET,

@@ -47,7 +47,7 @@ pub static DEF: PostDef = PostDef {
         numbered: true,
         ..PLAIN
     },
-    unused: &["orient", "number", "probeInput"],
+    unused: &["orient", "ask", "number", "probeInput"],
     uses_tool: |_| true,
     unused_by_cycles: &[
         "control.protection",

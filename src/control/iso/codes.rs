@@ -107,6 +107,8 @@ pub enum Effect {
     Return,
     /// Ends the program: M2, M30, on a SINUMERIK M17 too.
     End,
+    /// Waits for the operator: M0.
+    Pause,
     /// Changes the tool.
     Tool,
     /// Stops look-ahead until the motion has ended, or limits it.
@@ -263,7 +265,8 @@ fn auxiliary(family: Family, tenths: i32) -> Option<Effect> {
         5 => Effect::Spindle(false),
         6 => Effect::Tool,
         66 => Effect::Halt,
-        0..=14 | 19 | 50..=53 | 60..=68 => Effect::Nothing,
+        0 => Effect::Pause,
+        1..=14 | 19 | 50..=53 | 60..=68 => Effect::Nothing,
         40..=45 if sinumerik => Effect::Nothing,
         70..=73 if sinumerik => Effect::Nothing,
         70 | 73 => Effect::Keep {

@@ -369,6 +369,7 @@ fn moved(kind: &BlockKind, by: u32, blocks: usize, slot: &dyn Fn(Slot) -> Slot) 
             BlockKind::Origin(*number, place(*to), turn.map(later))
         }
         BlockKind::Nothing
+        | BlockKind::Pause
         | BlockKind::Elsewhere(_)
         | BlockKind::Return
         | BlockKind::Halt

@@ -75,6 +75,7 @@ pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
     ("<>", COMPARES, Binary::Unequal),
     (">=", COMPARES, Binary::AtLeast),
     ("<=", COMPARES, Binary::AtMost),
+    (">", COMPARES, Binary::Greater),
 ];
 
 /// A position in a line.

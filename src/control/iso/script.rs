@@ -124,6 +124,8 @@ pub struct Block {
 pub enum BlockKind {
     /// Nothing relevant: a label, a declaration, a dwell.
     Nothing,
+    /// Waits for the operator.
+    Pause,
     /// Modes, and a motion if there are axis words.
     Words(Words),
     Set(Slot, NodeId),
@@ -286,6 +288,8 @@ pub struct Script<'t> {
     pub sees_edges: bool,
     /// Whether a probing move that begins in contact is an alarm, even if it needs no contact.
     pub begins_free: bool,
+    /// Variables that a reset clears.
+    pub locals: Locals,
     /// Value of an unset variable, if the control keeps variables from one run to the next; `None` if its use is an error.
     pub unset_value: Option<f64>,
     /// Whether ATAN of its control gives 0 to 360 instead of −180 to 180 degrees.
@@ -294,6 +298,29 @@ pub struct Script<'t> {
     pub ahead: LookAhead,
     /// Variables with results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
+}
+
+/// Variables that a reset clears, recalled [R] for all of these.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Locals {
+    /// None that a program of this control uses.
+    #[default]
+    None,
+    /// #1 to #33 of a Fanuc or Haas, if its parameter does not keep them.
+    Numbers,
+    /// Declared variables of a SINUMERIK: those that are no R parameters.
+    Declared,
+}
+
+impl Locals {
+    fn has(self, name: &[u8]) -> bool {
+        let digits = |from: usize| name[from..].iter().all(u8::is_ascii_digit);
+        match self {
+            Locals::None => false,
+            Locals::Numbers => name.starts_with(b"#") && name.len() <= 3 && digits(1),
+            Locals::Declared => !(name.starts_with(b"R") && digits(1)),
+        }
+    }
 }
 
 /// Look-ahead of a control.
@@ -442,6 +469,14 @@ impl<'t> Script<'t> {
             },
             _ => None,
         })
+    }
+
+    /// Variables that a reset clears.
+    pub fn local_slots(&self) -> impl Iterator<Item = Slot> {
+        let names = self.names.iter().chain(&self.more_names);
+        names
+            .filter(|(name, _)| self.locals.has(name))
+            .map(|(_, slot)| *slot)
     }
 
     pub fn push(&mut self, line: usize, kind: BlockKind) {

@@ -8,9 +8,8 @@ use crate::text::text;
 /// Codes that every strict reader accepts; no letters are allowed beside them.
 pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940) | (b'M', 30 | 40 | 50 | 90 | 300) => {
-            Some("")
-        }
+        (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940)
+        | (b'M', 0 | 30 | 40 | 50 | 90 | 300) => Some(""),
         _ => None,
     }
 }
@@ -34,6 +33,7 @@ struct Block {
     moves: bool,
     setting: bool,
     ends: bool,
+    pauses: bool,
     halts: bool,
     allowed: &'static str,
     extended: Option<i32>,
@@ -177,6 +177,7 @@ impl Block {
             Effect::OffsetOf(from) => (self.extended, self.allowed) = (Some(from), letters),
             Effect::Setting => self.setting = true,
             Effect::End => self.ends = true,
+            Effect::Pause => self.pauses = true,
             Effect::Halt | Effect::Ahead | Effect::Machine => {
                 (self.halts, self.allowed) = (true, letters)
             }
@@ -234,6 +235,8 @@ impl Block {
             (false, Some(_)) => fault(text!("a motion without axis words")),
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(BlockKind::End),
+            (false, None) if self.pauses && self.words.modes == Modes::NONE => Ok(BlockKind::Pause),
+            _ if self.pauses => fault(text!("this code must be alone in its block")),
             (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(BlockKind::Halt),
             (true, _) if self.halts => Ok(BlockKind::Elsewhere(
                 self.words.to.map(|node| node.is_some()),

@@ -307,17 +307,8 @@ impl Moves for LinuxCnc<'_> {
 
     fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
         let label = self.labels.take();
-        let unit = if question.angle {
-            1.0
-        } else {
-            self.request.scale
-        };
         let value = print::variable(&print::Rs274, formula, question.variable);
-        let (limit, wanted) = (
-            decimal(question.limit / unit, 12),
-            decimal(question.expected / unit, 12),
-        );
-        let off = less(&value, &wanted);
+        let (off, limit) = deviation(self.request, formula, question);
         let writes = self.request.writes_offset();
         let stops = question.stops(writes);
         // The interpreter that draws a program when it is loaded ends each probing move at its target: no result is plausible there.
@@ -330,6 +321,11 @@ impl Moves for LinuxCnc<'_> {
             "o", &label, " if [", on_machine, "ABS[", &off, "] GT ", &limit, end, "]",
         ]);
         let code = formula.code(&formula.results[question.result]);
+        let unit = if question.angle {
+            1.0
+        } else {
+            self.request.scale
+        };
         let says = format!("{code} is {value}{}", question.complaint(unit));
         if stops {
             w.shop(&place::ON_ALARM);
@@ -343,6 +339,24 @@ impl Moves for LinuxCnc<'_> {
             w.line(&format!("(DEBUG,{says})"));
         }
         w.parts(&["o", &label, " endif"]);
+    }
+
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, checks: &[ResultCheck]) {
+        let label = self.labels.take();
+        let mut sum = "";
+        for check in checks {
+            let (off, limit) = deviation(self.request, formula, check);
+            w.line(&format!("#<tp_out>=[{sum}[ABS[{off}] GT {limit}]]"));
+            sum = "#<tp_out>+";
+        }
+        if !checks.is_empty() {
+            w.parts(&["o", &label, " if [#<tp_out> GT 0]"]);
+        }
+        w.line("(DEBUG,Cycle start writes the work offset. Abort leaves it unchanged)");
+        w.line("M0");
+        if !checks.is_empty() {
+            w.parts(&["o", &label, " endif"]);
+        }
     }
 
     fn write(
@@ -384,6 +398,14 @@ fn log_name(name: &str) -> String {
     } else {
         safe
     }
+}
+
+/// Deviation of a result from its expected value, and its limit.
+fn deviation(request: &Request<'_>, formula: &Formula, check: &ResultCheck) -> (String, String) {
+    let unit = if check.angle { 1.0 } else { request.scale };
+    let value = print::variable(&print::Rs274, formula, check.variable);
+    let [limit, wanted] = [check.limit, check.expected].map(|x| decimal(x / unit, 12));
+    (less(&value, &wanted), limit)
 }
 
 /// A value minus a constant, as a sum.

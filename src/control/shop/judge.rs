@@ -130,6 +130,7 @@ fn judge_effect(state: &mut State<'_>, index: usize, effect: Effect, code: &str)
         | Effect::Home
         | Effect::Halt
         | Effect::Ahead
+        | Effect::Pause
         | Effect::Turn(false)
         | Effect::Polar(false)
         | Effect::Nothing => {}

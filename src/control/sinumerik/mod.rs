@@ -34,7 +34,7 @@ use crate::control::{
     check_rotary, check_watched, check_write, feed_rate, orientation_line, write_summary,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Formula, OffsetCorrection, ResultCheck, Variable};
+use crate::formula::{CheckKind, Coordinate, Formula, OffsetCorrection, ResultCheck, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{decimal, format_count, push_count};
 use crate::path::{FeatureKind, Feed, Move, STATED_RAPID, ShiftTerm, Touch};
@@ -225,6 +225,33 @@ impl Sinumerik<'_> {
         writes.then_some(self.registers.last + TOUCHES)
     }
 
+    /// Waits for the operator. The count of touches is in a declared variable meanwhile, which a reset clears: a start after the wait then writes nothing.
+    fn wait(&self, w: &mut Writer<'_>) {
+        let count = self.count();
+        if let Some(count) = count {
+            w.line(&format!("TP_TOUCHES=R{count}"));
+            w.line(&format!("R{count}=0"));
+        }
+        w.line("M0");
+        if let Some(count) = count {
+            w.line(&format!("R{count}=TP_TOUCHES"));
+            w.line("TP_TOUCHES=0");
+        }
+    }
+
+    /// Deviation of a result from its expected value, and its limit.
+    fn deviation(&self, formula: &Formula, check: &ResultCheck) -> (String, String) {
+        let unit = if check.angle { 1.0 } else { self.request.scale };
+        let value = print::variable(&self.notation(), formula, check.variable);
+        let [limit, wanted] = [check.limit, check.expected].map(|x| decimal(x / unit, 12));
+        let off = match wanted.strip_prefix('-') {
+            _ if wanted == "0" => value,
+            Some(positive) => format!("{value}+{positive}"),
+            None => format!("{value}-{wanted}"),
+        };
+        (off, limit)
+    }
+
     fn notation(&self) -> RParameters<'_> {
         RParameters {
             registers: self.registers,
@@ -387,15 +414,7 @@ impl Moves for Sinumerik<'_> {
             self.request.scale
         };
         let value = print::variable(&self.notation(), formula, question.variable);
-        let (limit, wanted) = (
-            decimal(question.limit / unit, 12),
-            decimal(question.expected / unit, 12),
-        );
-        let off = match wanted.strip_prefix('-') {
-            _ if wanted == "0" => value.clone(),
-            Some(positive) => format!("{value}+{positive}"),
-            None => format!("{value}-{wanted}"),
-        };
+        let (off, limit) = self.deviation(formula, question);
         let label = format!("TP_GOOD_{}", self.asked);
         w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
         let code = formula.code(&formula.results[question.result]);
@@ -410,10 +429,32 @@ impl Moves for Sinumerik<'_> {
         } else {
             w.line(&format!("MSG(\"{says}\")"));
             if self.request.report == ResultOutput::Screen {
-                w.line("M0");
+                self.wait(w);
             }
         }
         w.line(&format!("{label}:"));
+    }
+
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, checks: &[ResultCheck]) {
+        for check in checks {
+            let (off, limit) = self.deviation(formula, check);
+            w.line(&format!("IF ABS({off})>{limit} GOTOF TP_ASK"));
+        }
+        if !checks.is_empty() {
+            w.line("GOTOF TP_WRITE");
+            w.line("TP_ASK:");
+        }
+        w.comment("Cycle start writes the work offset. Reset leaves it unchanged");
+        let messages = messages(results(formula));
+        for (i, message) in messages.iter().enumerate() {
+            let is_last = i + 1 == messages.len();
+            let asks = if is_last { "<<\" - write?\"" } else { "" };
+            w.line(&format!("MSG({message}{asks})"));
+            self.wait(w);
+        }
+        if !checks.is_empty() {
+            w.line("TP_WRITE:");
+        }
     }
 
     fn write(
@@ -435,17 +476,7 @@ impl Moves for Sinumerik<'_> {
                 stored.map(|(code, stored)| (code.into(), (plan_calls::CYCLES.name)(stored))),
             );
         }
-        let shown = formula
-            .results
-            .iter()
-            .filter(|result| result.variable.is_some())
-            .enumerate();
-        // Results have the first registers, in order.
-        report(
-            w,
-            self.request,
-            shown.map(|(i, result)| (formula.code(result), format!("R{}", i + 1))),
-        );
+        report(w, self.request, results(formula));
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
@@ -474,29 +505,53 @@ fn report<'f>(
                 ));
             }
         }
+        ResultOutput::Screen if request.always_asks() => {}
         ResultOutput::Screen => {
-            let (mut message, mut length) = (String::new(), 0);
-            let show = |w: &mut Writer<'_>, message: &mut String| {
-                if !message.is_empty() {
-                    w.line(&format!("MSG({message})"));
-                    w.line("M0");
-                    message.clear();
-                }
-            };
-            for (code, variable) in each {
-                let own = code.len() + 2 + VALUE;
-                if length + own > LONGEST_MESSAGE {
-                    show(w, &mut message);
-                    length = 0;
-                }
-                let blank = if message.is_empty() { "" } else { "<<\" " };
-                let quote = if message.is_empty() { "\"" } else { "" };
-                message.push_str(&format!("{blank}{quote}{code}=\"<<{variable}"));
-                length += own;
+            for message in messages(each) {
+                w.line(&format!("MSG({message})"));
+                w.line("M0");
             }
-            show(w, &mut message);
         }
     }
+}
+
+/// Texts for MSG with every result, as many as fit into each.
+fn messages<'f>(each: impl Iterator<Item = (Cow<'f, str>, String)>) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    let mut length = LONGEST_MESSAGE;
+    for (code, variable) in each {
+        let own = code.len() + 2 + VALUE;
+        match all.last_mut().filter(|_| length + own <= LONGEST_MESSAGE) {
+            Some(message) => {
+                message.push_str(&format!("<<\" {code}=\"<<{variable}"));
+                length += own;
+            }
+            None => {
+                all.push(format!("\"{code}=\"<<{variable}"));
+                length = own;
+            }
+        }
+    }
+    all
+}
+
+/// Results with their registers: they have the first ones, in order.
+fn results(formula: &Formula) -> impl Iterator<Item = (Cow<'_, str>, String)> {
+    let shown = formula
+        .results
+        .iter()
+        .filter(|result| result.variable.is_some())
+        .enumerate();
+    shown.map(|(i, result)| (formula.code(result), format!("R{}", i + 1)))
+}
+
+/// Whether a program that writes waits for the operator before the write.
+fn waits(request: &Request<'_>) -> bool {
+    let marks = |check: &ResultCheck| check.asked == CheckKind::MarkTolerance;
+    let shows = request.report == ResultOutput::Screen && request.questions().iter().any(marks);
+    request.form == ProgramForm::Moves
+        && request.writes_offset()
+        && (shows || request.asks().is_some())
 }
 
 /// Checks before the first move: nothing has moved if one of them fails.
@@ -530,6 +585,9 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     w.line("DEF INT TP_MOVE");
     if request.report == ResultOutput::Log {
         w.line("DEF INT TP_ERROR");
+    }
+    if waits(request) {
+        w.line("DEF INT TP_TOUCHES");
     }
     w.shop(&place::HEAD);
     w.shop(&place::PROBE_ON);

@@ -6,7 +6,7 @@ use crate::control::iso::line_cache::ReaderId;
 use crate::control::iso::lines::{self, Blocks};
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
 use crate::control::iso::script::{
-    Block, BlockKind, LookAhead, Motion, Part, ReadError, Script, System,
+    Block, BlockKind, Locals, LookAhead, Motion, Part, ReadError, Script, System,
 };
 use crate::control::iso::targets::{BackReference, Targets};
 use crate::control::iso::words;
@@ -78,7 +78,7 @@ fn none_of(part: &str) -> Option<System> {
 
 fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'G', 540 | 550 | 560 | 570 | 600 | 700 | 710) | (b'M', 0) => Some(""),
+        (b'G', 540 | 550 | 560 | 570 | 600 | 700 | 710) => Some(""),
         (b'G', 5050..=5990) if tenths % 10 == 0 => Some(""),
         _ => words::common(letter, tenths),
     }
@@ -150,6 +150,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
     let mut script = Script::with_room_for(text);
     script.sees_edges = true;
     script.unset_value = Some(0.0);
+    script.locals = Locals::Declared;
     script.ahead = LookAhead::Reads;
     let mut targets = Targets::default();
     let mut program = Program::default();

@@ -297,7 +297,7 @@ impl Reader {
                 return UnfollowedCode::Sets;
             }
             Effect::Spindle(on) => block.spindle = Some(on),
-            Effect::Exact(_) | Effect::Halt | Effect::Nothing => {}
+            Effect::Exact(_) | Effect::Halt | Effect::Pause | Effect::Nothing => {}
         }
         UnfollowedCode::No
     }

@@ -66,10 +66,14 @@ fn every_rule_holds_for_every_control_and_cycle() {
                         .unwrap_or_else(|e| panic!("{} {}: {e}", post.key, def.key));
                     let names: Vec<&str> = plan.safety.iter().map(|row| row.rule).collect();
                     // Without a tolerance there is no action.
-                    let asked = RULES
-                        .iter()
-                        .map(|rule| rule.name)
-                        .filter(|rule| !["tolerance-obeyed", "place-within-limit"].contains(rule));
+                    let asked = RULES.iter().map(|rule| rule.name).filter(|rule| {
+                        ![
+                            "tolerance-obeyed",
+                            "place-within-limit",
+                            "asked-before-write",
+                        ]
+                        .contains(rule)
+                    });
                     assert_eq!(names, asked.collect::<Vec<_>>());
                     assert_eq!(
                         plan.program.proof.is_some(),
@@ -637,6 +641,33 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
         "R10=0\n$P_UIFR",
         "$P_UIFR",
     ),
+    ("asked-before-write", "linuxcnc asks", "\nM0\n", "\n"),
+    ("asked-before-write", "fanuc asks", "\nM0\n", "\n"),
+    ("asked-before-write", "sinumerik asks", "\nM0\n", "\n"),
+    (
+        "asked-before-write",
+        "linuxcnc outside",
+        "[ABS[#<width1>-80] GT 0.1]",
+        "[ABS[#<width1>-80] GT 0.2]",
+    ),
+    (
+        "asked-before-write",
+        "haas outside",
+        "-80.] GT 0.1] GOTO",
+        "-80.] GT 0.2] GOTO",
+    ),
+    (
+        "restart-writes-nothing",
+        "fanuc asks",
+        "#109=0\nM0\n",
+        "M0\n",
+    ),
+    (
+        "restart-writes-nothing",
+        "sinumerik asks",
+        "R10=0\nM0\n",
+        "M0\n",
+    ),
     ("ends-above", "linuxcnc", "\nM72\nM2\n", "\nM72\n"),
     ("ends-above", "grbl", "G38.3 Z30 F2000\nM2", "M2"),
 ];
@@ -689,6 +720,13 @@ fn each_rule_catches_a_program_that_breaks_it() {
                 "control.post",
                 text(post),
             ),
+            "asks" => with(&job, "control.ask", text("always")),
+            "outside" => {
+                let width = [("tolerance".to_owned(), text("±0.1"))].to_vec();
+                let tolerances = Value::Map(vec![("width1".to_owned(), Value::Map(width))]);
+                let job = with(&job, "tolerances", tolerances);
+                with(&job, "control.ask", text("outside"))
+            }
             "stop" | "mark" => {
                 let width = [
                     ("tolerance".to_owned(), text("±0.1")),

@@ -121,8 +121,8 @@ fn a_plan_says_its_proof_and_its_rules_in_json() {
     );
     assert_eq!(
         json["safety"].as_array().unwrap().len(),
-        RULES.len() - 2,
-        "neither tolerances nor places that follow"
+        RULES.len() - 3,
+        "neither tolerances nor places that follow nor a question before the write"
     );
     let lifts = json["safety"]
         .as_array()

@@ -100,7 +100,7 @@ impl Machine<'_, '_> {
                 flow => flow?,
             };
             match flow {
-                BlockEffect::Next | BlockEffect::Output(..) => {}
+                BlockEffect::Next | BlockEffect::Pause | BlockEffect::Output(..) => {}
                 BlockEffect::Wrote(..) => writes = true,
                 // The program ends before another move.
                 BlockEffect::End if self.in_contact() && moves == 0 => {

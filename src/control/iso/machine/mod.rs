@@ -156,6 +156,7 @@ enum BlockEffect<'s> {
     Next,
     Moved(&'s Words, Motion),
     Output(&'s str, f64),
+    Pause,
     Wrote(i32, [bool; 3], bool),
     Native,
     Alarm,
@@ -229,6 +230,7 @@ pub fn run_marked(
         }
         match flow {
             BlockEffect::Next => {}
+            BlockEffect::Pause => tail.paused(&mut machine.slots),
             BlockEffect::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
             BlockEffect::Native => trace.natives.push(line),
             BlockEffect::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
@@ -294,7 +296,7 @@ pub fn until_alarm(
             machine.spend(MOTION + script.slots / 8);
         }
         match machine.step().ok()? {
-            BlockEffect::Next | BlockEffect::Output(..) => {}
+            BlockEffect::Next | BlockEffect::Pause | BlockEffect::Output(..) => {}
             BlockEffect::Wrote(..) => stopped.writes = true,
             BlockEffect::Alarm => {
                 return Some(AlarmState {
@@ -477,6 +479,7 @@ impl<'s, 't> Machine<'s, 't> {
     fn carry_out(&mut self, block: &'s Block) -> Result<BlockEffect<'s>, ReadError> {
         match &block.kind {
             BlockKind::Nothing => {}
+            BlockKind::Pause => return Ok(BlockEffect::Pause),
             BlockKind::Halt => self.state.ahead = false,
             BlockKind::Words(words) => {
                 self.state.modes = self.state.modes.then(words.modes);

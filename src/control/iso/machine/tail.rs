@@ -14,6 +14,8 @@ pub struct ResultCheckpoint {
     /// Values of its variables there; `None` while the run can still return there.
     values: Option<Vec<f64>>,
     end: Vec<f64>,
+    /// Values of its variables each time it waits for the operator.
+    paused: Vec<Vec<f64>>,
 }
 
 /// Outcome of the end of a program.
@@ -25,6 +27,8 @@ pub struct TailOutcome {
     pub ends: bool,
     /// Whether it writes a work offset.
     pub writes: bool,
+    /// Whether it waits for the operator before it writes.
+    pub asks: bool,
 }
 
 impl ResultCheckpoint {
@@ -54,6 +58,19 @@ impl ResultCheckpoint {
         if self.begun && self.values.is_none() {
             self.values = Some(slots.at(self.state.written));
         }
+    }
+
+    /// The program waits for the operator.
+    pub(super) fn paused(&mut self, slots: &mut VariableStore) {
+        const MOST: usize = 20;
+        if self.paused.len() < MOST {
+            self.paused.push(slots.values().to_vec());
+        }
+    }
+
+    /// Values of the variables each time the program waits for the operator.
+    pub fn paused_values(&self) -> &[Vec<f64>] {
+        &self.paused
     }
 
     /// Values of the variables at the end of the program.
@@ -104,6 +121,7 @@ impl Machine<'_, '_> {
         while machine.script.blocks.get(machine.state.pc).is_some() {
             match machine.step() {
                 Ok(BlockEffect::Next | BlockEffect::Output(..)) => {}
+                Ok(BlockEffect::Pause) => outcome.asks |= !outcome.writes,
                 Ok(BlockEffect::Wrote(..)) => outcome.writes = true,
                 Ok(BlockEffect::Alarm) => {
                     return TailOutcome {
@@ -172,7 +190,7 @@ impl Machine<'_, '_> {
                 return false;
             }
             match flow {
-                Ok(BlockEffect::Next | BlockEffect::Output(..)) => {}
+                Ok(BlockEffect::Next | BlockEffect::Pause | BlockEffect::Output(..)) => {}
                 Ok(BlockEffect::Wrote(..)) if touched < wanted && machine.changed() => return true,
                 Ok(BlockEffect::Wrote(..)) => {}
                 Ok(BlockEffect::Moved(words, motion)) => {

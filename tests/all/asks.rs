@@ -1,0 +1,224 @@
+//! The question before the write: values on the screen, M0, cycle start writes, reset leaves everything as it was.
+
+use crate::common::fanuc::Control;
+use crate::common::mpf::read;
+use crate::common::sinumerik::Machine;
+use crate::common::{interpret, job, number, on_virtual_part, planned, with};
+use touchpath::form::Value;
+use touchpath::job::{Plan, check, plan};
+
+const WRITING: [&str; 4] = ["linuxcnc", "sinumerik", "fanuc", "haas"];
+
+/// A bore of 25 H7 that a part has this much larger.
+fn bore(post: &str, ask: &str, larger: f64) -> Value {
+    job(&format!(
+        r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": "25 H7" }}, "part": {{ "offset": [1, 0.5, 0], "sizes": {{ "diameter": {larger} }} }},
+            "control": {{ "post": "{post}", "workOffset": 1, "ask": "{ask}" }} }}"#
+    ))
+}
+
+/// Blocks of the program from its last touch to its write.
+fn before_the_write(plan: &Plan) -> String {
+    let text = &plan.program.text;
+    let write = ["\nG10 ", "\n$P_UIFR", "\n#5221="]
+        .into_iter()
+        .find_map(|word| text.find(word));
+    let write = write.expect("it writes");
+    let touch = ["G38.2", "MEAS=1", "G31"]
+        .into_iter()
+        .filter_map(|word| text[..write].rfind(word))
+        .max();
+    text[touch.expect("it touches")..write].to_owned()
+}
+
+/// The simulated controls, at the touches of the virtual part. Number of waits, and whether a work offset was written.
+fn run(post: &str, plan: &Plan, text: &str) -> (usize, bool) {
+    if post == "sinumerik" {
+        let mut machine = Machine::new(plan.triggers.clone());
+        machine
+            .run(&read(text).expect("a program"))
+            .expect("it runs");
+        return (machine.waits, machine.writes > 0);
+    }
+    let mut control = Control::new(post == "haas", false);
+    control.at = [0.0, 0.0, 200.0];
+    control.contacts = plan.triggers.iter().flatten().copied().collect();
+    control
+        .variables
+        .extend((5221..5224).map(|origin| (origin, 0.0)));
+    control
+        .run(text)
+        .unwrap_or_else(|why| panic!("{post}: {why}\n{text}"));
+    assert_eq!(control.alarm, None, "{post}");
+    (control.stops, !control.writes.is_empty())
+}
+
+#[test]
+fn a_program_waits_between_its_results_and_its_write() {
+    for post in WRITING {
+        let never = planned(&bore(post, "never", 0.0));
+        assert!(!before_the_write(&never).contains("\nM0\n"), "{post}");
+        let plan = planned(&bore(post, "always", 0.0));
+        let before = before_the_write(&plan);
+        assert!(before.contains("\nM0\n"), "{post}\n{before}");
+        assert!(
+            before
+                .to_lowercase()
+                .contains("cycle start writes the work offset"),
+            "{post}"
+        );
+        // The values are on the screen before the program waits.
+        let shows = before.to_lowercase().find("diameter").expect("a value");
+        assert!(shows < before.rfind("\nM0\n").expect("it waits"), "{post}");
+        let rule = plan
+            .safety
+            .iter()
+            .find(|row| row.rule == "asked-before-write");
+        assert_eq!(rule.and_then(|row| row.holds), Some(true), "{post}");
+        assert!(
+            never
+                .safety
+                .iter()
+                .all(|row| row.rule != "asked-before-write")
+        );
+        if post == "linuxcnc" {
+            let ran = interpret(&on_virtual_part(&plan)).expect("it runs");
+            assert!(
+                ran.messages
+                    .iter()
+                    .any(|message| message.contains("Cycle start writes")),
+                "{:?}",
+                ran.messages
+            );
+            assert_eq!(ran.offsets_after_moves.last(), Some(&[1.0, 0.5, 0.0]));
+        } else {
+            let (waits, wrote) = run(post, &plan, &plan.program.text);
+            assert!(waits > 0 && wrote, "{post} {waits}");
+            // Results are not shown again.
+            assert!(
+                waits <= run(post, &never, &never.program.text).0 + 1,
+                "{post}"
+            );
+        }
+    }
+}
+
+/// 25 H7 is 25 to 25.021 mm; its middle is that of the virtual part unless it states a size.
+#[test]
+fn it_waits_outside_the_tolerance_only() {
+    for post in ["sinumerik", "fanuc", "haas"] {
+        let usual = run(
+            post,
+            &planned(&bore(post, "never", 0.01)),
+            &planned(&bore(post, "never", 0.01)).program.text,
+        )
+        .0;
+        for (larger, asks) in [
+            (0.01, false),
+            (0.0205, false),
+            (0.0215, true),
+            (-0.0005, true),
+        ] {
+            let plan = planned(&bore(post, "outside", larger));
+            let (waits, wrote) = run(post, &plan, &plan.program.text);
+            assert!(wrote, "{post} {larger}");
+            assert_eq!(waits > usual, asks, "{post} {larger}: {waits} {usual}");
+        }
+    }
+    for (larger, asks) in [(0.01, false), (0.0215, true)] {
+        let plan = planned(&bore("linuxcnc", "outside", larger));
+        let ran = interpret(&on_virtual_part(&plan)).expect("it runs");
+        let shown = ran
+            .messages
+            .iter()
+            .any(|message| message.contains("Cycle start writes"));
+        assert_eq!(shown, asks, "{larger}: {:?}", ran.messages);
+    }
+}
+
+/// Reset while the program waits, then a start at every later block: nothing is written. Judges: the tests' own Fanuc and Haas; a reset clears #1 to #33.
+#[test]
+fn a_reset_at_the_question_leaves_everything_as_it_was() {
+    for post in ["fanuc", "haas"] {
+        let plan = planned(&bore(post, "always", 0.0));
+        let lines: Vec<&str> = plan.program.text.lines().collect();
+        let waits = lines
+            .iter()
+            .position(|line| *line == "M0")
+            .expect("it waits");
+        let mut control = Control::new(post == "haas", false);
+        control.at = [0.0, 0.0, 200.0];
+        control.contacts = plan.triggers.iter().flatten().copied().collect();
+        control
+            .variables
+            .extend((5221..5224).map(|origin| (origin, 0.0)));
+        let mut until = lines[..waits].to_vec();
+        until.push("M30");
+        until.extend(&lines[waits..]);
+        control
+            .run(&(until.join("\n") + "\n"))
+            .unwrap_or_else(|why| panic!("{post}: {why}"));
+        assert!(control.writes.is_empty());
+        let first = lines
+            .iter()
+            .rposition(|line| line.starts_with("G31"))
+            .expect("a touch");
+        for start in first + 1..lines.len() - 1 {
+            let mut again = Control::new(post == "haas", false);
+            again.at = control.at;
+            again.variables.clone_from(&control.variables);
+            (1..=33).for_each(|local| {
+                again.variables.insert(local, 0.0);
+            });
+            let _ = again.run(&(lines[start..].join("\n") + "\n"));
+            assert!(
+                again.writes.is_empty(),
+                "{post}: started at {}",
+                lines[start]
+            );
+        }
+    }
+}
+
+#[test]
+fn a_question_that_cannot_be_asked_is_reported() {
+    let found = |job: &Value| -> Vec<String> {
+        let all = match plan(job) {
+            Ok(plan) => plan.findings,
+            Err(error) => error.findings,
+        };
+        all.into_iter()
+            .map(|f| f.code)
+            .filter(|code| code.starts_with("ask-"))
+            .collect()
+    };
+    let text = |text: &str| Value::Text(text.to_owned());
+    for post in WRITING {
+        assert!(found(&bore(post, "always", 0.0)).is_empty(), "{post}");
+    }
+    let fanuc = bore("fanuc", "always", 0.0);
+    assert_eq!(
+        found(&with(&fanuc, "control.workOffset", Value::Null)),
+        ["ask-unused"]
+    );
+    assert_eq!(
+        found(&with(&fanuc, "control.form", text("cycle"))),
+        ["ask-unsupported"]
+    );
+    assert_eq!(
+        found(&with(&fanuc, "control.report", text("log"))),
+        ["ask-unsupported"]
+    );
+    let plain = with(
+        &bore("fanuc", "outside", 0.0),
+        "cycle.diameter",
+        number(25.0),
+    );
+    assert_eq!(found(&plain), ["ask-unsupported"]);
+    let wrong = check(&with(&fanuc, "control.ask", text("sometimes")));
+    assert!(
+        wrong
+            .iter()
+            .any(|f| (f.code.as_str(), f.path.as_str()) == ("unknown-value", "control.ask"))
+    );
+}
