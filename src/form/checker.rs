@@ -742,20 +742,20 @@ impl FieldType for PlacedLines {
                 section.checker.error("too-long", path, message);
                 return None;
             }
-            let lines: Vec<String> = lines
+            let lines: Option<Vec<String>> = lines
                 .iter()
                 .enumerate()
-                .filter_map(|(i, line)| {
-                    program_line(section.checker, line, &format!("{path}[{i}]"))
-                })
+                .map(|(i, line)| program_line(section.checker, line, &format!("{path}[{i}]")))
                 .collect();
-            (!lines.is_empty()).then_some((place.value, lines))
+            lines
+                .filter(|lines| !lines.is_empty())
+                .map(|lines| (place.value, lines))
         };
         PlacedLines(places.iter().filter_map(lines).collect())
     }
 }
 
-/// One line of a program; `None` if it is blank or wrong.
+/// One line of a program; `None` if it is wrong.
 fn program_line(checker: &mut Checker, value: &Value, path: &str) -> Option<String> {
     let line = checker.text(value, path)?;
     if line.chars().count() > LONGEST_LINE {
@@ -775,8 +775,7 @@ fn program_line(checker: &mut Checker, value: &Value, path: &str) -> Option<Stri
         checker.error("line-characters", path, message);
         return None;
     }
-    let line = line.trim();
-    (!line.is_empty()).then(|| line.to_owned())
+    Some(line.to_owned())
 }
 
 /// Nominal value of a size with a tolerance; `None` for any other value.

@@ -352,7 +352,9 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     for (place, code) in shop_lines {
         match coded::decoded(&code) {
             // A place without lines.
-            _ if !place.ends_with(']') => set(&mut job, &place, value(&code)),
+            _ if !place.ends_with(']') => {
+                set(&mut job, &place, value(&code.to_ascii_lowercase()));
+            }
             Some(line) => set(&mut job, &place, Value::Text(line)),
             None => unknown += 1,
         }

@@ -8,6 +8,7 @@ use touchpath::control::POSTS;
 use touchpath::control::shop::coded::{decoded, encoded};
 use touchpath::control::shop::place::CHOICES;
 use touchpath::form::{Finding, Level, Value};
+use touchpath::import::insert::insert;
 use touchpath::job::{Plan, check_program, default_job, plan};
 
 fn lines(lines: &[&str]) -> Value {
@@ -279,6 +280,46 @@ fn dangerous_lines_are_refused() {
         // Tools.
         ("fanuc", "beforeFirstMove", &["T7 M6"]),
         ("heidenhain", "probeOff", &["TOOL CALL 3 Z"]),
+        // A dwell, another axis, a small step or a skipped block hides nothing.
+        ("linuxcnc", "head", &["G4 P0.1 G0 Z-50"]),
+        ("grbl", "foot", &["G4 P0.1 G0 X10 Z-50"]),
+        ("haas", "onAlarm", &["G0 A90."]),
+        ("linuxcnc", "onAlarm", &["G0 W-50"]),
+        ("sinumerik", "foot", &["G91", "SUPA G0 Z-100", "G90"]),
+        ("heidenhain", "head", &["L IZ-100 R0 FMAX M91"]),
+        ("haas", "head", &["/G53 G0 Z0."]),
+        ("heidenhain", "head", &["/ M30"]),
+        // Before its modes nothing is known about units, length and offset.
+        ("haas", "head", &["T7 M6", "G0 Z{clearance}", "G43 H7"]),
+        ("haas", "probeOff", &["G20 G0 Z30.", "G21"]),
+        // Blanks, comments and signs of the control.
+        ("fanuc", "foot", &["M3 0"]),
+        ("fanuc", "foot", &["N 9001"]),
+        ("fanuc", "foot", &["M1 N9001"]),
+        ("fanuc", "head", &["M0 ; G10 L2 P1 X5."]),
+        ("haas", "head", &["(TURN PROBE ON"]),
+        ("fanuc", "foot", &["M0 %"]),
+        ("linuxcnc", "beforeWrite", &["(py,this.params[5221]=0)"]),
+        ("linuxcnc", "head", &["M1 ( abort,x)"]),
+        ("linuxcnc", "head", &["(LOGCLOSE)"]),
+        ("grbl", "head", &["(ready?)"]),
+        ("haas", "head", &["(TOUCHPATH ENDS)"]),
+        // The length and the tool of the probe.
+        ("fanuc", "beforeFirstMove", &["G43 H0"]),
+        ("haas", "beforeWrite", &["G43 H7"]),
+        ("haas", "head", &["G43 H3"]),
+        ("sinumerik", "beforeFirstMove", &["D2"]),
+        ("heidenhain", "probeOn", &["TOOL CALL 3 Z S50"]),
+        ("heidenhain", "head", &["TOOL CALL 7 Z S50 DL-50"]),
+        ("haas", "head", &["T3 M6"]),
+        ("heidenhain", "head", &["STOP M30"]),
+        // A line that is not understood may still be refused.
+        ("haas", "head", &["M3 S500 M59"]),
+        ("haas", "head", &["G20 M59 P3"]),
+        ("heidenhain", "head", &["FN9:IF+Q1 EQU+Q1 GOTO LBL 1"]),
+        ("heidenhain", "head", &["FN17:SYSWRITE ID10 NR1"]),
+        ("heidenhain", "head", &["CR X+10 Y+0 R+5 DR-"]),
+        ("sinumerik", "head", &["MCALL CYCLE83"]),
         // Placeholders and texts.
         ("fanuc", "head", &["T{tol} M6"]),
         ("fanuc", "head", &["{offset}"]),
@@ -307,19 +348,12 @@ fn usual_lines_are_accepted() {
         (
             "fanuc",
             "head",
-            &[
-                "G91 G28 Z0.",
-                "G28 X0. Y0.",
-                "G90",
-                "G54",
-                "T7 M6",
-                "G43 H7",
-            ],
+            &["G91 G28 Z0.", "G90", "G54", "T7 M6", "G43 H7"],
         ),
-        ("haas", "head", &["G53 G0 Z0.", "G53 G0 X-400. Y0."]),
         ("haas", "beforeFirstMove", &["G0 Z{clearance}"]),
         ("haas", "foot", &["G91 G0 Z50.", "G90", "G49", "M5"]),
-        ("linuxcnc", "head", &["G20", "G21", "G4 P0.5"]),
+        ("linuxcnc", "head", &["G20", "G21", "G4 P0.5", "G59.1"]),
+        ("fanuc", "head", &["G4 X1."]),
         (
             "sinumerik",
             "head",
@@ -328,11 +362,7 @@ fn usual_lines_are_accepted() {
         (
             "heidenhain",
             "head",
-            &[
-                "L Z-1 R0 FMAX M91",
-                "L X-400 Y-1 R0 FMAX M91",
-                "TOOL CALL 7 Z S50",
-            ],
+            &["L M140 MB MAX", "TOOL CALL 7 Z S50", "M5"],
         ),
         ("grbl", "probeOn", &["M0"]),
     ];
@@ -419,6 +449,11 @@ fn only_the_lines_of_the_job_are_left_out() {
         ("M59 P3\n", "M59 P3\nG10 L2 P1 X5.\n"),
         ("M59 P3\n", "M59 P4\n"),
         ("M69 P3\n", "M69 P3\n#5221=5.\n"),
+        // A second copy of the lines.
+        (
+            "M5\n",
+            "M5\n(SHOP'S LINES, PROBE OFF, NOT CHECKED)\nM69 P3\n",
+        ),
     ] {
         assert!(broken(&text.replacen(line, other, 1)) > 0, "{other}");
     }
@@ -440,6 +475,28 @@ fn lines_come_back_from_a_header() {
         }
         Ok(!line.is_empty())
     });
+}
+
+/// A place that is `null`, a blank line and a line that begins with a number come back as they were.
+#[test]
+fn unusual_lists_come_back() {
+    for post in ["haas", "linuxcnc", "heidenhain", "okuma"] {
+        let frame = job(r#"{ "head": null, "probeOn": [], "foot": ["", "M1", ""] }"#);
+        let given = with(&bore(post), "machine.frame", frame.clone());
+        let read = import(&planned(&given).program.text).expect("a job");
+        let machine = read.job.get("machine").expect("a machine");
+        assert_eq!(machine.get("frame"), Some(&frame), "{post}");
+    }
+    let numbered = with_lines(
+        &bore("linuxcnc"),
+        &[("head", &["5 M0"]), ("foot", &["M1 {name}"])],
+    );
+    assert!(
+        planned(&with(&numbered, "name", Value::Text(" ".to_owned())))
+            .program
+            .proof
+            .is_some()
+    );
 }
 
 /// A long line of 80 characters comes back from the header of each control.
@@ -488,6 +545,8 @@ fn wrong_lines_are_findings() {
     }
     let many = Value::List(vec![Value::Text("M0".to_owned()); 21]);
     let long = lines(&[&"M0 ".repeat(40)]);
+    let blank = with_lines(&bore("fanuc"), &[("head", &["", "", "M30"])]);
+    assert_eq!(found(&blank)[0].path, "machine.frame.head[2]");
     for (given, path) in [
         (many, "machine.frame.head"),
         (long, "machine.frame.head[0]"),
@@ -577,4 +636,18 @@ fn an_unused_tool_is_reported() {
             .iter()
             .all(|post| !is_unused(&bore(post)))
     );
+}
+
+/// Lines that change tool, length or offset would change them for the other program.
+#[test]
+fn lines_of_the_head_and_the_foot_are_not_inserted() {
+    let other = "T24 M6 (PROBE)\nG43 H24 Z50.\nM30\n";
+    let haas = with(&bore("haas"), "control.tool", number(24.0));
+    assert!(insert(&haas, other, None).is_ok());
+    assert!(insert(&with_lines(&haas, &[("probeOn", &["M59 P3"])]), other, None).is_ok());
+    for place in ["head", "foot"] {
+        let error = insert(&with_lines(&haas, &[(place, &["M5"])]), other, None).expect_err(place);
+        assert_eq!(error.findings[0].code, "not-inserted");
+        assert!(error.findings[0].message.contains(place), "{error}");
+    }
 }

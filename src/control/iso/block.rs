@@ -55,6 +55,11 @@ impl Block {
         trimmed(&self.code).is_empty()
     }
 
+    /// The letters of its words.
+    pub fn letters(&self) -> impl Iterator<Item = u8> {
+        self.words.iter().map(|(letter, _)| *letter)
+    }
+
     pub fn has(&self, letter: u8) -> bool {
         self.words.iter().any(|(known, _)| *known == letter)
     }

@@ -1,13 +1,17 @@
-//! What the shop's lines do: whether they may be in a program, by the table of codes that every reader uses.
+//! What the shop's lines do: whether they may be in a program. Understood is only what is known to be harmless on the control; what may be harmful is refused, and
+//! everything else is not checked.
 
 use super::klartext;
 use super::place::Place;
-use super::state::{Coordinates, Judged, Mode, State, assigns, decides, transforms};
-use crate::control::Request;
+use super::state::{
+    Coordinates, Judged, Mode, State, assigns, decides, moves_otherwise, transforms, writes,
+};
 use crate::control::iso::block::Block;
 use crate::control::iso::codes::{Effect, FRAMES, Family};
-use crate::control::iso::lex::{head, strip_prefix_nocase, trimmed};
+use crate::control::iso::lex::{Comment, head, strip_prefix_nocase, trimmed};
+use crate::control::iso::lines::split_comment;
 use crate::control::iso::script::Motion;
+use crate::control::{PostDef, Request};
 use crate::text::{Text, text};
 
 /// What is known about a line.
@@ -20,19 +24,15 @@ pub enum Judgement {
 
 /// Judges the lines of a place in order.
 pub fn judge(request: &Request<'_>, place: &Place, lines: &[String]) -> Vec<Judgement> {
-    let mut state = State {
-        request,
-        place,
-        raised: false,
-        left: Vec::new(),
-    };
+    let mut state = State::new(request, place);
     let mut judged: Vec<Judgement> = lines
         .iter()
         .enumerate()
         .map(|(index, line)| {
+            state.index = index;
             let known = match request.post.family {
-                Family::Heidenhain => klartext::judge(&mut state, index, line),
-                family => word_address(&mut state, index, &Block::of(line, family), line),
+                Family::Heidenhain => klartext::judge(&mut state, line),
+                family => word_address(&mut state, line, family),
             };
             match known {
                 Ok(true) => Judgement::Understood,
@@ -41,137 +41,223 @@ pub fn judge(request: &Request<'_>, place: &Place, lines: &[String]) -> Vec<Judg
             }
         })
         .collect();
-    for (_, index, code) in state.left {
-        if matches!(judged[index], Judgement::Understood) {
-            judged[index] = Judgement::Refused(text!(
-                "{code} is still active after these lines. End them with the opposite code",
-                code
+    for (mode, index, code) in &state.left {
+        if !matches!(judged[*index], Judgement::Refused(_)) {
+            judged[*index] = Judgement::Refused(text!(
+                "{code} is still active after these lines. End them with {own}",
+                code.clone(),
+                state.own_code(*mode)
             ));
         }
     }
     judged
 }
 
-fn probes() -> Text {
-    text!("Only straight moves are possible here: no probing, no arcs, no cycles")
-}
+/// Letters of words that are understood.
+const LETTERS: &[u8] = b"GMTHDSFPXYZ";
 
-/// Words at the beginning of a line that decides the way.
-const DECIDING: [&str; 11] = [
-    "IF", "WHILE", "DO", "FOR", "LOOP", "REPEAT", "UNTIL", "CASE", "ELSE", "RET", "%",
+/// Letters of other axes.
+const MORE_AXES: &[u8] = b"ABCUVW";
+
+/// M codes that are harmless on every control, with those of the spindle and the tool change.
+const HARMLESS: [f64; 7] = [0.0, 1.0, 3.0, 4.0, 5.0, 6.0, 9.0];
+
+/// Words at the beginning of a line that decides the way, or calls something at every later move.
+const DECIDING: [&str; 13] = [
+    "IF", "WHILE", "DO", "FOR", "LOOP", "REPEAT", "REPEATB", "UNTIL", "CASE", "ELSE", "RET",
+    "MCALL", "MODIN",
 ];
 
-/// Names of assigned words that are no variables.
-const ADDRESSES: [&str; 7] = ["T", "D", "S", "M", "H", "SPOS", "SPOSA"];
-
-fn word_address(state: &mut State<'_>, index: usize, block: &Block, line: &str) -> Judged {
-    let code = &unquoted(trimmed(&block.code));
-    let aborts = strip_prefix_nocase(&block.comment, "ABORT").is_some();
-    if aborts || head(line.as_bytes()).number.is_some() || is_deciding(code) {
+fn word_address(state: &mut State<'_>, line: &str, family: Family) -> Judged {
+    let post = state.request.post;
+    let sign = if family == Family::Iso { b'(' } else { b';' };
+    let (code, comment) = split_comment(line, sign).map_err(|why| *why)?;
+    check_comment(post, comment)?;
+    if line.contains(['%', '?', '!', '~']) {
+        return Err(text!(
+            "%, ?, ! and ~ have a meaning for the control or its sender"
+        ));
+    }
+    let prefix = head(code.as_bytes());
+    let code = unquoted(trimmed(code)).to_ascii_uppercase();
+    if prefix.skips || prefix.number.is_some() || is_deciding(&code, family) {
         return Err(decides());
     }
-    if code
-        .match_indices('=')
-        .any(|(at, _)| !is_address(&code[..at]))
-    {
-        return Err(assigns());
-    }
     if FRAMES.iter().any(|frame| code.starts_with(frame)) || code.starts_with("CYCLE800") {
-        return Err(transforms());
+        let ends = FRAMES.contains(&code.as_str()) || code == "CYCLE800()";
+        return if ends { Ok(false) } else { Err(transforms()) };
     }
-    let mut known = is_words(&code.replace("SUPA", ""));
-    let mut coordinates = match code.contains("SUPA") {
-        true => Coordinates::Machine,
-        false => Coordinates::Work,
+    let supa = family == Family::Sinumerik && code.contains("SUPA");
+    let code = if supa { code.replace("SUPA", "") } else { code };
+    let (code, assigned) = without_assigned(&code)?;
+    let block = Block::of(&code, family);
+    if [b'N', b'O'].iter().any(|letter| block.has(*letter)) || is_split(&code) {
+        return Err(decides());
+    }
+    let rest = block.letters().all(|letter| LETTERS.contains(&letter));
+    let mut known = rest && assigned && is_words(&code);
+    if block.letters().any(|letter| MORE_AXES.contains(&letter)) {
+        state.may_move()?;
+    }
+    known &= tool_and_length(state, &block)?;
+    let coordinates = if supa {
+        Coordinates::Machine
+    } else {
+        Coordinates::Work
     };
-    let mut has_position = block.has_axes();
+    Ok(codes(state, &block, coordinates)? && known)
+}
+
+/// The codes of a block, and its move.
+fn codes(state: &mut State<'_>, block: &Block, mut coordinates: Coordinates) -> Judged {
+    let post = state.request.post;
+    // Where G54 is no work offset, other G codes differ as well.
+    let differs = !(post.work_offset_word)(1).starts_with("G54") && post.work_offsets > 0;
+    let mut known = block.knows_codes();
+    let (mut motion, mut position) = (false, block.has_axes());
     for (effect, code) in block.effects() {
-        known &= judge_effect(state, index, effect, &code)?;
+        if differs
+            && !["G0", "G1", "G4", "G90", "G91"].contains(&code.as_str())
+            && code.starts_with('G')
+        {
+            return Ok(false);
+        }
+        known &= effect_of(state, block, effect, &code)?;
         match effect {
             Effect::Machine => coordinates = Coordinates::Machine,
-            Effect::Home => {
-                coordinates = Coordinates::Home;
-                has_position = true;
-            }
-            Effect::Dwell | Effect::Macro { .. } | Effect::Call(_) => has_position = false,
+            Effect::Home => (coordinates, position) = (Coordinates::Home, true),
+            Effect::Motion(_) => motion = true,
+            Effect::Macro { .. } | Effect::Call(_) => position = false,
             _ => {}
         }
     }
-    known &= block.knows_codes();
-    if block.has(b'T') {
-        state.tool()?;
-    }
-    if let (Family::Sinumerik, Some(edge)) = (state.request.post.family, block.number(b'D')) {
-        state.length(index, edge != 0.0, "D0");
-    }
-    if has_position {
+    // `G4 X1.` waits; with a motion code the block moves as well.
+    let waits = block.does(|effect| effect == Effect::Dwell);
+    if position && (motion || !waits) {
         let axes = [b'X', b'Y', b'Z'].map(|axis| {
             let number = || block.number(axis).unwrap_or(f64::NAN);
             block.has(axis).then(number)
         });
-        if coordinates == Coordinates::Home && axes == [None; 3] {
-            return Err(text!("Without an axis word, this code moves every axis"));
-        }
-        state.moves(axes, state.is_incremental(), coordinates)?;
+        let others = block.letters().any(|letter| MORE_AXES.contains(&letter));
+        known &= match coordinates {
+            Coordinates::Home if others || post.family == Family::Sinumerik => false,
+            _ => state.moves(axes, state.is_incremental(), coordinates)?,
+        };
     }
-    Ok(known)
+    Ok(known && !(waits && motion))
+}
+
+/// Beginnings of comments that LinuxCNC obeys.
+const ACTING: [&str; 9] = [
+    "ABORT,",
+    "PY,",
+    "PYRUN,",
+    "PYRELOAD",
+    "LOG,",
+    "LOGOPEN",
+    "LOGAPPEND",
+    "LOGCLOSE",
+    "PROBEOPEN",
+];
+
+/// Beginning of the comments around an inserted program.
+const OWN: &str = "Touchpath";
+
+/// Whether the comment of a line is one on this control, without an effect.
+fn check_comment(post: &PostDef, comment: Option<Comment<'_>>) -> Result<(), Text> {
+    let Some(Comment { sign, text }) = comment else {
+        return Ok(());
+    };
+    let (open, close) = post.dialect.comment;
+    if post.dialect.capitals && sign == b';' {
+        return Err(text!(
+            "\";\" ends a block on this control. Write a comment as {comment}",
+            format!("{open}TEXT{close}")
+        ));
+    }
+    let begins = |word: &str| strip_prefix_nocase(text, word).is_some();
+    let acts = !post.dialect.capitals && ACTING.iter().any(|word| begins(word));
+    if acts || begins(OWN) {
+        return Err(text!(
+            "This comment has an effect on the control, or is one of the program's own"
+        ));
+    }
+    Ok(())
+}
+
+/// The tool, and its length: after the program's checks they must not change.
+fn tool_and_length(state: &mut State<'_>, block: &Block) -> Judged {
+    if block.has(b'T') {
+        state.tool(block.number(b'T'))?;
+    }
+    let length = block.has(b'H') || block.does(|effect| matches!(effect, Effect::Length(_)));
+    let edge = state.request.post.family == Family::Sinumerik && block.has(b'D');
+    if edge {
+        state.length(block.number(b'D') != Some(0.0), "D0")?;
+    } else if block.has(b'D') {
+        return Ok(false);
+    }
+    let calls = block.does(|effect| matches!(effect, Effect::Macro { .. } | Effect::Call(_)));
+    if !length || calls {
+        return Ok(true);
+    }
+    let activates = block.does(|effect| effect == Effect::Length(true));
+    if block.has(b'H') && !activates {
+        return Ok(false);
+    }
+    match (block.number(b'H'), state.request.tool) {
+        (Some(own), Some(tool)) if own != f64::from(tool) => Err(state.other_tool()),
+        _ => Ok(true),
+    }
 }
 
 /// Whether a code of a line is understood, or why it cannot be there.
-fn judge_effect(state: &mut State<'_>, index: usize, effect: Effect, code: &str) -> Judged {
+fn effect_of(state: &mut State<'_>, block: &Block, effect: Effect, code: &str) -> Judged {
     let request = state.request;
     match effect {
         Effect::Motion(Motion::Rapid | Motion::Straight)
-        | Effect::Exact(_)
-        | Effect::LengthGiven { .. }
         | Effect::Dwell
         | Effect::CycleEnds
         | Effect::Machine
         | Effect::Home
-        | Effect::Halt
-        | Effect::Ahead
-        | Effect::Pause
         | Effect::Turn(false)
-        | Effect::Polar(false)
-        | Effect::Nothing => {}
-        Effect::Plane(plane) => state.mode(Mode::Plane, index, plane == request.plane, code),
-        Effect::Metric(metric) => {
-            state.mode(Mode::Units, index, metric == (request.scale == 1.0), code)
-        }
-        Effect::Absolute(absolute) => state.mode(Mode::Distance, index, absolute, code),
-        Effect::PerMinute(per_minute) => state.mode(Mode::Feed, index, per_minute, code),
-        Effect::Spindle(on) => state.mode(Mode::Spindle, index, !on, code),
-        Effect::Length(on) => state.length(index, on, code),
-        Effect::Tool => return state.tool(),
-        Effect::Offset(_) | Effect::OffsetOf(_) if state.place.offset => {}
-        Effect::Offset(_) | Effect::OffsetOf(_) => {
-            return Err(text!(
-                "A work offset must be selected at the top, at \"probe on\" or at the end"
-            ));
-        }
-        Effect::Call(97) | Effect::Return | Effect::End => return Err(decides()),
-        Effect::Macro { .. } if code.starts_with("G66") => return Err(probes()),
-        Effect::Macro { .. } | Effect::Call(_) | Effect::Sets | Effect::ProbeFeed => {
+        | Effect::Polar(false) => {}
+        Effect::Plane(plane) => state.mode(Mode::Plane, plane == request.plane, code),
+        Effect::Metric(metric) => state.mode(Mode::Units, metric == (request.scale == 1.0), code),
+        Effect::Absolute(absolute) => state.mode(Mode::Distance, absolute, code),
+        Effect::PerMinute(per_minute) => state.mode(Mode::Feed, per_minute, code),
+        Effect::Spindle(on) => state.mode(Mode::Spindle, !on, code),
+        Effect::Length(on) if ["G43", "G49"].contains(&code) => state.length(on, code)?,
+        Effect::Tool => state.tool(None)?,
+        // Other controls use these numbers for other things.
+        Effect::Offset(_)
+            if code.starts_with("G1")
+                && !(request.post.work_offset_word)(7).starts_with("G154") =>
+        {
             return Ok(false);
         }
+        Effect::Offset(_) | Effect::OffsetOf(_) => state.offset()?,
+        Effect::Call(97) | Effect::Return | Effect::End => return Err(decides()),
+        Effect::Macro { .. } if code.starts_with("G66") => return Err(moves_otherwise()),
         Effect::Motion(_)
         | Effect::Once(_)
         | Effect::Contact(_)
-        | Effect::Curve { .. }
-        | Effect::ControlPoints(_)
         | Effect::Cycle
-        | Effect::ThereAndBack => return Err(probes()),
-        Effect::Setting
-        | Effect::Shift(_)
-        | Effect::Turn(true)
-        | Effect::Polar(true)
-        | Effect::Transform { .. }
-        | Effect::Elsewhere
-        | Effect::Diameter(_)
-        | Effect::CentersAbsolute(_) => return Err(transforms()),
+        | Effect::ThereAndBack => return Err(moves_otherwise()),
+        Effect::Setting => return Err(writes()),
+        Effect::Shift(_) if block.is_at_zero() && block.has_axes() => return Ok(false),
+        Effect::Shift(_) | Effect::Turn(true) | Effect::Polar(true) | Effect::Transform { .. } => {
+            return Err(transforms());
+        }
         Effect::Keep { .. } | Effect::Forget | Effect::GiveBack => {
             return Err(text!("The program itself saves and restores the modes"));
         }
+        _ if code.starts_with('M') => {
+            let number = block.number(b'M');
+            return Ok(number.is_some_and(|number| HARMLESS.contains(&number)));
+        }
+        Effect::Exact(_) | Effect::Nothing => {}
+        _ => return Ok(false),
     }
     Ok(true)
 }
@@ -181,50 +267,59 @@ fn unquoted(code: &str) -> String {
     code.split('"').step_by(2).collect::<Vec<_>>().join("\"\"")
 }
 
-/// Whether a line decides the way of the program, or is a label.
-fn is_deciding(code: &str) -> bool {
-    // `O<PROBE_ON> CALL` is a call, any other O word is not.
-    if let Some(label) = code.strip_prefix('O') {
-        let word = label
-            .trim_start_matches(|c: char| c != ' ' && c != '>')
-            .trim_start_matches(['>', ' ']);
-        return !word.starts_with("CALL");
-    }
+/// Whether a line decides the way of the program, or is a label. `O<PROBE_ON> CALL` is a call.
+fn is_deciding(code: &str, family: Family) -> bool {
     let length = code
-        .find(|c: char| !c.is_ascii_alphabetic() && c != '%')
+        .find(|c: char| !c.is_ascii_alphabetic())
         .unwrap_or(code.len());
-    DECIDING.contains(&&code[..length])
+    let is_label = family == Family::Iso && code.starts_with('O') && !code.contains(" CALL");
+    is_label
+        || DECIDING.contains(&&code[..length])
         || code.starts_with("END")
+        || code.starts_with("M96")
         || code.contains("GOTO")
         || code.contains(':')
 }
 
-/// Whether the name before `=` is a word of the block, not a variable.
-fn is_address(before: &str) -> bool {
-    let is_name = |c: char| c.is_ascii_alphanumeric() || "_$#[]<>,".contains(c);
-    let name = &before[before.trim_end_matches(is_name).len()..];
-    ADDRESSES.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()))
+/// Whether a number has a blank inside: `M3 0` is M30 on a control that drops blanks.
+fn is_split(code: &str) -> bool {
+    let is_number = |c: char| c.is_ascii_digit() || c == '.';
+    code.split(' ')
+        .collect::<Vec<_>>()
+        .windows(2)
+        .any(|words| words[0].ends_with(is_number) && words[1].starts_with(is_number))
 }
 
-/// Whether a code consists of letters with numbers, and of assigned words.
+/// A code without its words like `T="PROBE"` and `SPOS=90`, and whether it had only such. Assigned variables are refused.
+fn without_assigned(code: &str) -> Result<(String, bool), Text> {
+    let (mut rest, mut only) = (code.to_owned(), true);
+    while let Some(at) = rest.find('=') {
+        let is_name = |c: char| c.is_ascii_alphanumeric() || "_$#[]<>,".contains(c);
+        let begin = rest[..at].trim_end_matches(is_name).len();
+        let name = &rest[begin..at];
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let known = ["T", "SPOS"].contains(&name);
+        let address = letters.len() == 1 && letters != "R" && letters != "Q" && letters != "#";
+        let setting = ["ADIS", "FP"].contains(&name) || name.starts_with("SPOS");
+        if !(known || address || setting) {
+            return Err(assigns());
+        }
+        only &= known;
+        let value = rest[at + 1..]
+            .find(' ')
+            .map_or(rest.len(), |end| at + 1 + end);
+        rest.replace_range(begin..value, "");
+    }
+    Ok((rest, only))
+}
+
+/// Whether a code consists of letters with numbers.
 fn is_words(code: &str) -> bool {
     let mut rest = trimmed(code);
     while let Some(letter) = rest.chars().next() {
-        let address = ADDRESSES
-            .iter()
-            .filter_map(|name| rest.strip_prefix(name)?.strip_prefix('='))
-            .next();
-        let value = match address {
-            Some(quoted) if quoted.starts_with('"') => {
-                let Some((_, after)) = quoted[1..].split_once('"') else {
-                    return false;
-                };
-                rest = after.trim_start();
-                continue;
-            }
-            Some(value) => value,
-            None if letter.is_ascii_uppercase() => rest[1..].trim_start(),
-            None => return false,
+        let value = match letter.is_ascii_uppercase() {
+            true => rest[1..].trim_start(),
+            false => return false,
         };
         let after = value.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.".contains(c));
         if after.len() == value.len() {

@@ -1,42 +1,76 @@
 //! The shop's lines in a HEIDENHAIN program.
 
-use super::state::{Coordinates, Judged, Mode, State, assigns, decides, transforms};
+use super::state::{
+    Coordinates, Judged, Mode, State, assigns, decides, moves_otherwise, transforms, writes,
+};
+use crate::control::heidenhain::read::{moves, transforms as changes};
 
 /// Judges a line of Klartext.
-pub fn judge(state: &mut State<'_>, index: usize, line: &str) -> Judged {
+pub fn judge(state: &mut State<'_>, line: &str) -> Judged {
     let capitals = line.to_ascii_uppercase();
     let code = capitals.split(';').next().unwrap_or_default();
     let words: Vec<&str> = code.split_whitespace().collect();
     match words[..] {
         [] => Ok(true),
-        ["TOOL", "CALL", ..] => state.tool(),
-        ["TOOL", "DEF", ..] | ["STOP", ..] | ["*", ..] => Ok(true),
-        ["L", ref rest @ ..] => straight(state, index, rest),
-        ["FN", number, ..] => match number.trim_end_matches(':') {
-            "14" | "16" | "19" | "20" => Ok(false),
-            "9" | "10" | "11" | "12" => Err(decides()),
-            "17" => Err(transforms()),
-            _ => Err(assigns()),
-        },
-        ["CALL", "LBL", ..] | ["LBL" | "IF" | "BEGIN" | "END", ..] => Err(decides()),
+        ["TOOL", "CALL", ref rest @ ..] => tool_call(state, rest),
+        ["STOP", ref rest @ ..] => codes(state, rest),
+        ["*", ..] => Ok(true),
+        ["L", ref rest @ ..] => straight(state, rest),
+        ["CALL", "LBL", ..] | ["LBL" | "IF" | "BEGIN" | "END" | "/", ..] => Err(decides()),
+        ["CYCL", "DEF", "247", ..] | ["PRESET", "SELECT", ..] => {
+            state.offset()?;
+            Ok(false)
+        }
         [
-            "CYCL" | "PLANE" | "TRANS" | "PRESET" | "FUNCTION" | "TCH" | "BLK",
+            "CYCL" | "PLANE" | "TRANS" | "FUNCTION" | "PRESET" | "BLK",
             ..,
         ] => Err(transforms()),
+        ["TCH", ..] => Err(moves_otherwise()),
+        [first, ..] if first.starts_with("FN") => assignment(code),
         [first, ..] if first.starts_with('Q') || code.contains('=') => Err(assigns()),
-        [first, ..] if first.starts_with(|c: char| c.is_ascii_digit()) => Err(decides()),
-        _ if words.iter().all(|word| word.starts_with('M')) => codes(state, index, &words),
+        [first, ..] if first.starts_with(|c: char| c.is_ascii_digit() || c == '/') => {
+            Err(decides())
+        }
+        _ if words.iter().all(|word| word.starts_with('M')) => codes(state, &words),
+        ["CALL", ..] => Ok(false),
+        _ if changes(&words).is_some() => Err(transforms()),
+        _ if moves(&words) => Err(moves_otherwise()),
         _ => Ok(false),
     }
 }
 
+/// `FN 9: IF …`, with or without a blank.
+fn assignment(code: &str) -> Judged {
+    let number = code.trim_start()["FN".len()..].trim_start();
+    let length = number.bytes().take_while(u8::is_ascii_digit).count();
+    match &number[..length] {
+        "14" | "16" | "19" | "20" => Ok(false),
+        "9" | "10" | "11" | "12" => Err(decides()),
+        "17" => Err(writes()),
+        _ => Err(assigns()),
+    }
+}
+
+/// `7 Z S50`: a known tool without corrections of its length or radius.
+fn tool_call(state: &mut State<'_>, words: &[&str]) -> Judged {
+    let tool = words.first().and_then(|word| crate::num::read(word));
+    state.tool(tool)?;
+    if words
+        .iter()
+        .any(|word| word.starts_with("DL") || word.starts_with("DR"))
+    {
+        return Err(writes());
+    }
+    Ok(tool.is_some())
+}
+
 /// `L Z-1 R0 FMAX M91`
-fn straight(state: &mut State<'_>, index: usize, words: &[&str]) -> Judged {
+fn straight(state: &mut State<'_>, words: &[&str]) -> Judged {
     let mut axes = [None; 3];
     let (mut incremental, mut known) = (false, true);
     let mut coordinates = Coordinates::Work;
     let mut other: Vec<&str> = Vec::new();
-    let mut words = words.iter().copied().peekable();
+    let mut words = words.iter().copied();
     while let Some(word) = words.next() {
         let (own, is_incremental) = match word.strip_prefix('I') {
             Some(own) => (own, true),
@@ -54,34 +88,34 @@ fn straight(state: &mut State<'_>, index: usize, words: &[&str]) -> Judged {
             coordinates = Coordinates::Machine;
         } else if word == "M140" {
             // `M140 MB MAX` retracts along the tool axis.
-            known &= words.next() == Some("MB") && words.next() == Some("MAX");
+            known &=
+                words.next() == Some("MB") && words.next() == Some("MAX") && state.retracts()?;
         } else if word.starts_with('M') {
             other.push(word);
         } else {
             known &= word == "R0" || word.starts_with('F');
+            state.may_move()?;
         }
     }
-    known &= codes(state, index, &other)?;
+    known &= codes(state, &other)?;
     if axes != [None; 3] {
-        state.moves(axes, incremental, coordinates)?;
+        known &= state.moves(axes, incremental, coordinates)?;
     }
     Ok(known)
 }
 
 /// M codes.
-fn codes(state: &mut State<'_>, index: usize, words: &[&str]) -> Judged {
+fn codes(state: &mut State<'_>, words: &[&str]) -> Judged {
     let mut known = true;
     for word in words {
         match *word {
             "M2" | "M02" | "M30" | "M89" | "M99" => return Err(decides()),
             "M3" | "M03" | "M4" | "M04" | "M13" | "M14" => {
-                state.mode(Mode::Spindle, index, false, word);
+                state.mode(Mode::Spindle, false, word);
             }
-            "M5" | "M05" => state.mode(Mode::Spindle, index, true, word),
-            "M0" | "M00" | "M1" | "M01" | "M8" | "M08" | "M9" | "M09" | "M19" => {}
-            "M6" | "M06" => {
-                state.tool()?;
-            }
+            "M5" | "M05" => state.mode(Mode::Spindle, true, word),
+            "M0" | "M00" | "M1" | "M01" | "M9" | "M09" => {}
+            "M6" | "M06" => state.tool(None)?,
             _ => known = false,
         }
     }

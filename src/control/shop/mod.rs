@@ -10,8 +10,10 @@ mod state;
 use std::borrow::Cow;
 
 use self::judge::{Judgement, judge};
-use self::place::{BEFORE_WRITE, ON_ALARM, PATH, PLACES, Place};
+use self::place::{BEFORE_WRITE, HEAD, ON_ALARM, PATH, PLACES, PROBE_ON, Place};
 use self::state::height;
+use crate::control::iso::block::Block;
+use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{lines_of, without_count};
 use crate::control::iso::writer::{Writer, number};
 use crate::control::{ProgramForm, Request, comment_text};
@@ -43,13 +45,12 @@ fn heading(request: &Request<'_>, place: &Place, lines: &[String]) -> String {
 
 /// The lines of a place with the values of the job; empty if the program does not have this place.
 fn lines(request: &Request<'_>, place: &Place) -> Vec<String> {
-    if unused(request, place).is_some() {
-        return Vec::new();
-    }
-    let given = request.shop.at(place.key).iter();
+    let used = unused(request, place).is_none();
+    let given = request.shop.at(place.key).iter().filter(|_| used);
     // A wrong placeholder is an error of the job.
     given
         .filter_map(|line| filled(request, line).ok())
+        .filter(|line| !line.is_empty())
         .collect()
 }
 
@@ -80,7 +81,12 @@ fn filled(request: &Request<'_>, line: &str) -> Result<String, Text> {
         rest = after;
     }
     out.push_str(rest);
-    Ok(out)
+    let out = out.trim();
+    Ok(if request.post.dialect.capitals {
+        out.to_ascii_uppercase()
+    } else {
+        out.to_owned()
+    })
 }
 
 /// The value of a placeholder.
@@ -96,6 +102,7 @@ fn value(request: &Request<'_>, key: &str) -> Result<String, Text> {
         "tool" => request.tool.map(|n| n.to_string()).ok_or_else(missing),
         "offset" => request
             .work_offset
+            .filter(|_| request.post.family != Family::Heidenhain)
             .map(request.post.work_offset_word)
             .ok_or_else(missing),
         "axis" => Ok(AXIS_NAMES[request.plane.axes()[2]].to_owned()),
@@ -112,8 +119,13 @@ fn value(request: &Request<'_>, key: &str) -> Result<String, Text> {
 /// Reports the shop's lines that cannot be in a program, those that are not understood, and places that the program does not have.
 pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let calls_tool = || {
-        let mut all = request.shop.0.iter().flat_map(|(_, lines)| lines);
-        all.any(|line| line.contains("{tool}"))
+        let own = request.tool.map(f64::from);
+        let lines = [HEAD, PROBE_ON]
+            .map(|place| lines(request, &place))
+            .concat();
+        lines
+            .iter()
+            .any(|line| Block::of(line, request.post.family).number(b'T') == own)
     };
     if request.tool.is_some() && !(request.post.uses_tool)(request.form) && !calls_tool() {
         checker.info(
@@ -136,24 +148,27 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
             );
             continue;
         }
-        let mut wrong = false;
+        // Each line with its index in the job.
+        let mut own: (Vec<usize>, Vec<String>) = (Vec::new(), Vec::new());
         for (i, line) in given.iter().enumerate() {
-            if let Err(why) = filled(request, line) {
-                checker.error("shop-line", format!("{path}[{i}]"), why);
-                wrong = true;
+            match filled(request, line) {
+                Ok(line) if line.is_empty() => {}
+                Ok(line) => {
+                    own.0.push(i);
+                    own.1.push(line);
+                }
+                Err(why) => checker.error("shop-line", format!("{path}[{i}]"), why),
             }
         }
-        if wrong {
-            continue;
-        }
-        let lines = lines(request, place);
+        let (indices, lines) = own;
         let mut unknown = Vec::new();
-        for (i, judgement) in judge(request, place, &lines).into_iter().enumerate() {
+        let judged = judge(request, place, &lines).into_iter().zip(&lines);
+        for (i, (judgement, line)) in indices.into_iter().zip(judged) {
             match judgement {
                 Judgement::Understood => {}
-                Judgement::Unknown => unknown.push(lines[i].clone()),
+                Judgement::Unknown => unknown.push(line.clone()),
                 Judgement::Refused(why) => {
-                    let message = text!("\"{line}\": {why}", lines[i].clone(), why);
+                    let message = text!("\"{line}\": {why}", line.clone(), why);
                     checker.error("shop-line", format!("{path}[{i}]"), message);
                 }
             }
@@ -175,7 +190,7 @@ pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
     }
     let capitals = request.post.dialect.capitals;
     let (open, close) = request.post.dialect.comment;
-    let own: Vec<(String, Vec<String>)> = PLACES
+    let own: Vec<(&Place, String, Vec<String>)> = PLACES
         .iter()
         .filter_map(|place| {
             let lines = lines(request, place);
@@ -185,19 +200,28 @@ pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
             } else {
                 heading
             };
-            (!lines.is_empty()).then(|| (format!("{open}{heading}{close}"), lines))
+            (!lines.is_empty()).then(|| (*place, format!("{open}{heading}{close}"), lines))
         })
         .collect();
     let all: Vec<&str> = lines_of(text).collect();
-    let code = |at: usize| all.get(at).map_or("", |line| without_count(line.trim()));
+    let numbered = request.post.dialect.numbered;
+    let code = |at: usize| {
+        let line = all.get(at).map_or("", |line| line.trim());
+        if numbered { without_count(line) } else { line }
+    };
     let mut blank = vec![false; all.len()];
-    for at in 0..all.len() {
-        let Some((_, lines)) = own.iter().find(|(heading, _)| heading == code(at)) else {
-            continue;
-        };
-        let below = at + 1..at + 1 + lines.len();
-        if below.clone().zip(lines).all(|(at, line)| code(at) == line) {
-            blank[below].fill(true);
+    for (place, heading, lines) in &own {
+        for at in 0..all.len() {
+            let below = at + 1..at + 1 + lines.len();
+            let is_own =
+                code(at) == heading && below.clone().zip(lines).all(|(at, line)| code(at) == line);
+            if is_own {
+                blank[below].fill(true);
+            }
+            // Every exit has those of an alarm.
+            if is_own && place.key != ON_ALARM.key {
+                break;
+            }
         }
     }
     let mut out = String::with_capacity(text.len());

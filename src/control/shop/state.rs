@@ -2,6 +2,7 @@
 
 use super::place::{FOOT, Place};
 use crate::control::Request;
+use crate::control::iso::codes::Family;
 use crate::control::iso::writer::number;
 use crate::text::{Text, text};
 
@@ -30,9 +31,13 @@ pub enum Mode {
 #[derive(Debug)]
 pub struct State<'a> {
     pub request: &'a Request<'a>,
-    pub place: &'a Place,
+    place: &'a Place,
+    /// Index of the current line.
+    pub index: usize,
     /// Whether a line has moved along the tool axis in machine coordinates.
-    pub raised: bool,
+    raised: bool,
+    /// Whether a line has selected a work offset.
+    selected: bool,
     /// Modes that differ from those of the program, with the index of the line and its code.
     pub left: Vec<(Mode, usize, String)>,
 }
@@ -40,60 +45,89 @@ pub struct State<'a> {
 /// Whether a line is understood, or why it cannot be there.
 pub type Judged = Result<bool, Text>;
 
-impl State<'_> {
-    /// Sets a mode: to that of the program, or to another one.
-    pub fn mode(&mut self, mode: Mode, index: usize, is_own: bool, code: &str) {
-        self.left.retain(|(known, ..)| *known != mode);
-        if !is_own {
-            self.left.push((mode, index, code.to_owned()));
+impl<'a> State<'a> {
+    pub fn new(request: &'a Request<'a>, place: &'a Place) -> Self {
+        State {
+            request,
+            place,
+            index: 0,
+            raised: false,
+            selected: false,
+            left: Vec::new(),
         }
     }
 
-    pub fn is_incremental(&self) -> bool {
-        self.left.iter().any(|(mode, ..)| *mode == Mode::Distance)
+    /// Sets a mode: to that of the program, or to another one.
+    pub fn mode(&mut self, mode: Mode, is_own: bool, code: &str) {
+        self.left.retain(|(known, ..)| *known != mode);
+        if !is_own {
+            self.left.push((mode, self.index, code.to_owned()));
+        }
     }
 
-    /// A straight move to these axis words.
+    /// The program's code of a mode.
+    pub fn own_code(&self, mode: Mode) -> String {
+        let dialect = self.request.post.dialect;
+        let code = match mode {
+            Mode::Distance => "G90",
+            Mode::Feed => "G94",
+            Mode::Plane => self.request.plane.word(),
+            Mode::Units if self.request.scale == 1.0 => dialect.units.0,
+            Mode::Units => dialect.units.1,
+            Mode::Length if self.request.post.family == Family::Sinumerik => "D1",
+            Mode::Length => "G43",
+            Mode::Spindle => "M5",
+        };
+        code.to_owned()
+    }
+
+    fn has_left(&self, mode: Mode) -> bool {
+        self.left.iter().any(|(known, ..)| *known == mode)
+    }
+
+    pub fn is_incremental(&self) -> bool {
+        self.has_left(Mode::Distance)
+    }
+
+    /// Whether anything may move here.
+    pub fn may_move(&self) -> Result<(), Text> {
+        if !self.place.moves {
+            return Err(text!(
+                "Nothing may move before an alarm: the stylus may touch the part"
+            ));
+        }
+        if self.place.before && self.request.path.start.is_some() {
+            return Err(text!(
+                "The job states the start of the stylus: these lines must not move it"
+            ));
+        }
+        Ok(())
+    }
+
+    /// A straight move to these axis words, NaN for a computed one. Only a move to the top of the tool axis, or up, is understood.
     pub fn moves(
         &mut self,
         axes: [Option<f64>; 3],
         incremental: bool,
         coordinates: Coordinates,
     ) -> Judged {
-        let Request { plane, path, .. } = self.request;
-        if !self.place.moves {
-            return Err(text!("Nothing may move here"));
+        self.may_move()?;
+        let [a, o, tool] = self.request.plane.axes();
+        let across = axes[a].is_some() || axes[o].is_some();
+        if coordinates == Coordinates::Work {
+            return self.moves_in_work(axes[tool], across, incremental);
         }
-        if self.place.before && path.start.is_some() {
+        let at_zero = axes.iter().flatten().all(|x| *x == 0.0);
+        if coordinates == Coordinates::Home && axes == [None; 3] {
+            return Err(text!("Without an axis word, this code moves every axis"));
+        }
+        if coordinates == Coordinates::Home && !(incremental && at_zero) {
             return Err(text!(
-                "The job states the start of the stylus: these lines must not move it"
+                "This code moves to the stated position first. Use it with G91 and 0 for the axis, then G90"
             ));
         }
-        let [a, o, tool] = plane.axes();
-        let across = axes[a].is_some() || axes[o].is_some();
-        match coordinates {
-            Coordinates::Home if !incremental || axes.iter().flatten().any(|x| *x != 0.0) => {
-                return Err(text!(
-                    "This code moves to the stated position first. Use it with G91 and 0 for the axis, then G90"
-                ));
-            }
-            Coordinates::Work => {
-                let lowest = crate::num::read(&height(self.request)).unwrap_or(f64::INFINITY);
-                let high = match axes[tool] {
-                    Some(x) if incremental => x > 0.0,
-                    Some(x) => x >= lowest && !path.moves.is_empty(),
-                    None => false,
-                };
-                return if high && !across {
-                    Ok(true)
-                } else {
-                    Err(text!(
-                        "A move in the work coordinate system must be along the tool axis only, to {height} or higher",
-                        height(self.request)
-                    ))
-                };
-            }
-            Coordinates::Machine | Coordinates::Home => {}
+        if coordinates == Coordinates::Machine && incremental {
+            return Err(text!("A position in machine coordinates needs G90"));
         }
         if across && !self.raised {
             return Err(text!(
@@ -101,39 +135,107 @@ impl State<'_> {
             ));
         }
         self.raised |= axes[tool].is_some();
+        Ok(!across && at_zero)
+    }
+
+    /// A retract along the tool axis to the end of travel.
+    pub fn retracts(&mut self) -> Judged {
+        self.may_move()?;
+        self.raised = true;
         Ok(true)
     }
 
-    /// A tool change.
-    pub fn tool(&self) -> Judged {
-        if self.place.tool {
-            Ok(true)
-        } else {
-            Err(text!(
-                "A tool change must be at the top, at \"probe on\" or at the end"
-            ))
+    /// A move in work coordinates: up by a distance, or to the clearance or higher after the program has stated its modes.
+    fn moves_in_work(&self, to: Option<f64>, across: bool, incremental: bool) -> Judged {
+        let changed = self.place.tool && self.place.before
+            || self.selected
+            || [Mode::Units, Mode::Length]
+                .iter()
+                .any(|mode| self.has_left(*mode));
+        let lowest = crate::num::read(&height(self.request)).unwrap_or(f64::INFINITY);
+        let is_high = match to {
+            Some(x) if incremental => x > 0.0,
+            Some(x) => !changed && x >= lowest && !self.request.path.moves.is_empty(),
+            None => false,
+        };
+        if is_high && !across {
+            return Ok(true);
         }
+        Err(text!(
+            "In work coordinates only a move along the tool axis is possible: up with G91, or to {height} and higher after the program's modes",
+            height(self.request)
+        ))
+    }
+
+    /// A tool change, with the number of the tool if it is known.
+    pub fn tool(&self, tool: Option<f64>) -> Result<(), Text> {
+        if !self.place.tool {
+            return Err(text!(
+                "A tool change must be at the top, at \"probe on\" or at the end"
+            ));
+        }
+        match (tool, self.request.tool) {
+            (Some(own), Some(tool)) if self.place.before && own != f64::from(tool) => {
+                Err(self.other_tool())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refusal of another tool than the probe.
+    pub fn other_tool(&self) -> Text {
+        text!(
+            "The tool of the probe is {tool}, not this one",
+            self.request
+                .tool
+                .map_or_else(String::new, |tool| tool.to_string())
+        )
+    }
+
+    /// Selects a work offset.
+    pub fn offset(&mut self) -> Result<(), Text> {
+        self.selected = true;
+        if self.place.offset {
+            return Ok(());
+        }
+        Err(text!(
+            "A work offset must be selected at the top, at \"probe on\" or at the end"
+        ))
+    }
+
+    /// Activates or deactivates the tool length: before the program's checks, or after its last move.
+    pub fn length(&mut self, on: bool, code: &str) -> Result<(), Text> {
+        if !self.place.tool {
+            return Err(text!(
+                "The tool length must not change after the program has checked it"
+            ));
+        }
+        let is_last = self.place.key == FOOT.key;
+        self.mode(Mode::Length, on || is_last, code);
+        Ok(())
     }
 }
 
 pub fn decides() -> Text {
-    text!("Jumps, conditions, labels, block numbers and program ends cannot be here")
+    text!(
+        "Jumps, conditions, labels, block numbers, skipped blocks and program ends cannot be here"
+    )
 }
 
 pub fn assigns() -> Text {
     text!("An assignment here could change the results of the program")
 }
 
-pub fn transforms() -> Text {
-    text!("This line writes to a table of the control or changes the coordinate system")
+pub fn writes() -> Text {
+    text!("This line writes to a table of the control")
 }
 
-impl State<'_> {
-    /// Activates or deactivates the tool length. After the last move it may stay off.
-    pub fn length(&mut self, index: usize, on: bool, code: &str) {
-        let is_last = self.place.key == FOOT.key;
-        self.mode(Mode::Length, index, on || is_last, code);
-    }
+pub fn transforms() -> Text {
+    text!("This line changes the coordinate system")
+}
+
+pub fn moves_otherwise() -> Text {
+    text!("Only straight moves are possible here: no probing, no arcs, no cycles")
 }
 
 /// The highest position of the program along the tool axis, in its units.

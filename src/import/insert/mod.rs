@@ -14,6 +14,7 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{
     code, lines_of, next_line, strip_prefix_nocase, trimmed, without_number,
 };
+use crate::control::shop::place::{FOOT, FRAME, HEAD, PATH, Place};
 use crate::control::{self, PostDef, header};
 use crate::form::{Checker, Finding, Level, Value};
 use crate::import::toolpath::{
@@ -52,6 +53,13 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
         return Err(too_long(length(other)));
     }
     let plan = job::plan(job)?;
+    if let Some(place) = own_lines(job) {
+        let message = text!(
+            "The lines of {place} belong to a program of its own: remove them to insert the job",
+            place
+        );
+        return Err(refusal("not-inserted", message));
+    }
     let program = plan.program.text.as_str();
     let refuse = |message: Text| refusal("not-inserted", message);
     // Every program is for a control of the list.
@@ -197,6 +205,14 @@ fn family_of(post: &PostDef, other: &str) -> Result<Family, Text> {
     } else {
         Family::Iso
     })
+}
+
+/// The path of the shop's lines that may change the tool, its length or the work offset of the other program.
+fn own_lines(job: &Value) -> Option<String> {
+    let frame = job.get("machine")?.get(FRAME)?;
+    let used = |place: &&Place| matches!(frame.get(place.key), Some(Value::List(lines)) if !lines.is_empty());
+    let place = [&HEAD, &FOOT].into_iter().find(used)?;
+    Some(format!("{PATH}{}", place.key))
 }
 
 fn tool_of(job: &Value) -> Option<String> {
