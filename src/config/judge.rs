@@ -356,7 +356,19 @@ fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
         }
         Value::Flag(true) => "true".to_owned().into(),
         Value::Flag(false) => "false".to_owned().into(),
-        Value::Map(_) | Value::Other(_) => String::new().into(),
+        // Lines of a program by their places.
+        Value::Map(places) => {
+            let lines = places.iter().flat_map(|(_, lines)| match lines {
+                Value::List(lines) => lines.as_slice(),
+                _ => &[],
+            });
+            let texts = lines.filter_map(|line| match line {
+                Value::Text(text) => Some(printable(text)),
+                _ => None,
+            });
+            texts.collect::<Vec<_>>().join(" | ").into()
+        }
+        Value::Other(_) => String::new().into(),
     }
 }
 

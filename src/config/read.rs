@@ -236,7 +236,8 @@ fn check_values(checker: &mut Checker, config: &Config) {
         for rule in &config.rules {
             let at = format!("fields.{}.value", rule.path);
             let wrong = |finding: &Finding| {
-                finding.path == rule.path || finding.path.starts_with(&format!("{}[", rule.path))
+                let inner = finding.path.strip_prefix(&rule.path);
+                inner.is_some_and(|inner| inner.is_empty() || inner.starts_with(['[', '.']))
             };
             if rule.value.is_some()
                 && super::field_at(&rule.path, def).is_some()
@@ -258,7 +259,8 @@ fn check_values(checker: &mut Checker, config: &Config) {
 
 /// Errors of single values in a part of a job.
 fn misread(job: &Value, units: Units) -> Vec<Finding> {
-    const OF_VALUES: [&str; 8] = [
+    const OF_VALUES: [&str; 9] = [
+        "line-characters",
         "not-a-value",
         "not-finite",
         "not-whole",

@@ -2,7 +2,7 @@
 
 use crate::control::Request;
 use crate::control::iso::machine::{self, Run, TailOutcome, TailRunner};
-use crate::control::iso::script::{Modes, Slot};
+use crate::control::iso::script::{Modes, Script, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
     ASKED, CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE,
@@ -1065,43 +1065,38 @@ fn place_within_limit(case: &RuleContext<'_>) -> Vec<Violation> {
     breaks
 }
 
-fn restart_writes_nothing(case: &RuleContext<'_>) -> Vec<Violation> {
-    let Followed {
-        script,
-        trace,
-        tail,
-        run_start: begin,
-        ..
-    } = case.followed;
-    let (Some(write), Some(first)) = (trace.writes.first(), trace.steps.first()) else {
-        return Vec::new();
-    };
-    let block_of = |line: usize| {
-        script
-            .blocks
-            .iter()
-            .position(|block| block.line == line)
-            .unwrap_or(0)
-    };
-    let from = block_of(first.line);
-    let mut touches: Vec<usize> = trace.touch_lines().collect();
-    touches.sort_unstable();
-    let starts: Vec<usize> = match case.restarts {
-        RestartPoints::Every => (from..script.blocks.len()).collect(),
-        RestartPoints::Critical => {
-            /// Number of blocks before a write at which the program is restarted.
-            const BEFORE: usize = 6;
-            let last = trace.writes.last().map_or(0, |write| block_of(write.line));
-            let writing = block_of(write.line).saturating_sub(BEFORE).max(from)..=last;
-            let after = touches
-                .first()
-                .into_iter()
-                .chain(touches.last())
-                .map(|line| block_of(*line) + 1);
-            after.chain(writing).collect()
-        }
-    };
+/// The block of a line.
+fn block_of(script: &Script<'_>, line: usize) -> usize {
+    let at = script.blocks.iter().position(|block| block.line == line);
+    at.unwrap_or(0)
+}
+
+/// Blocks at which the program is started again. `touches` are the lines of its touches, in order of the lines.
+fn restart_blocks(case: &RuleContext<'_>, touches: &[usize]) -> Vec<usize> {
+    let Followed { script, trace, .. } = case.followed;
+    let line_of = |step: Option<&Step>| step.map_or(0, |step| step.line);
+    let from = block_of(script, line_of(trace.steps.first()));
+    if case.restarts == RestartPoints::Every {
+        return (from..script.blocks.len()).collect();
+    }
+    /// Number of blocks before a write at which the program is restarted.
+    const BEFORE: usize = 6;
+    let [first, last] = [trace.writes.first(), trace.writes.last()]
+        .map(|write| write.map_or(0, |write| block_of(script, write.line)));
+    let writing = first.saturating_sub(BEFORE).max(from)..=last;
+    let ends = touches.first().into_iter().chain(touches.last());
+    let after = ends.map(|line| block_of(script, *line) + 1);
+    after.chain(writing).collect()
+}
+
+/// Values of the variables when the program is started again: those that the last run left, if the control keeps them, no values, and those after a reset
+/// while the program waits for the operator.
+fn restart_values(followed: &Followed<'_>) -> (Option<Vec<f64>>, Vec<f64>, Vec<Vec<f64>>) {
+    let Followed { script, tail, .. } = followed;
     let empty = vec![script.unset_value.unwrap_or(f64::NAN); script.slots];
+    let Some(unset) = script.unset_value else {
+        return (None, empty, Vec::new());
+    };
     // Results of a displaced part: none has its expected value.
     let mut left = tail.last_values().to_vec();
     for (i, (_, slot)) in script.outputs().enumerate() {
@@ -1110,30 +1105,37 @@ fn restart_writes_nothing(case: &RuleContext<'_>) -> Vec<Violation> {
         }
     }
     // A program that does not end leaves no values.
-    let left = if left.len() == script.slots {
-        left
-    } else {
-        empty.clone()
-    };
-    // After a reset while the program waits for the operator.
-    let mut paused = match script.unset_value {
-        Some(_) => tail.paused_values().to_vec(),
-        None => Vec::new(),
-    };
+    if left.len() != script.slots {
+        left.clone_from(&empty);
+    }
+    let mut paused = tail.paused_values().to_vec();
     for slot in script.local_slots() {
         for values in &mut paused {
-            values[slot as usize] = script.unset_value.unwrap_or(f64::NAN);
+            values[slot as usize] = unset;
         }
     }
+    (Some(left), empty, paused)
+}
+
+fn restart_writes_nothing(case: &RuleContext<'_>) -> Vec<Violation> {
+    let Followed {
+        script,
+        trace,
+        run_start: begin,
+        ..
+    } = case.followed;
+    let (Some(write), true) = (trace.writes.first(), !trace.steps.is_empty()) else {
+        return Vec::new();
+    };
+    let mut touches: Vec<usize> = trace.touch_lines().collect();
+    touches.sort_unstable();
+    let starts = restart_blocks(case, &touches);
+    let (left, empty, paused) = restart_values(case.followed);
     let mut budget = 4 * machine::BUDGET;
     let mut writes = |(i, block): &(usize, &usize)| {
-        let left = script.unset_value.map(|_| left.as_slice());
         // The longest run is made with one of the two.
         let once = *i == 0 && case.restarts == RestartPoints::Critical && left.is_some();
-        let mut values = left
-            .into_iter()
-            .chain((!once).then_some(empty.as_slice()))
-            .chain(paused.iter().map(Vec::as_slice));
+        let mut values = left.iter().chain((!once).then_some(&empty)).chain(&paused);
         values.any(|values| {
             machine::restarted(
                 script,

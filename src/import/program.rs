@@ -256,77 +256,53 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
         None => type_at("cycle.type")?,
     };
     let format = find("format").and_then(crate::num::read).unwrap_or(FORMAT);
-    let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
-    let mut unknown = 0;
-    let mut tolerances = Vec::new();
-    let mut shop_lines: Vec<(String, String)> = Vec::new();
-    for (path, text) in said
-        .values
-        .iter()
-        .filter(|(path, _)| !path.eq_ignore_ascii_case("format"))
-    {
+    let mut read = HeaderJob {
+        job: Value::Map(vec![("format".to_owned(), Value::Number(format))]),
+        def,
+        defs,
+        tolerances: Vec::new(),
+        shop_lines: Vec::new(),
+        unknown: 0,
+    };
+    for (path, text) in &said.values {
+        if !path.eq_ignore_ascii_case("format") {
+            read.take(path, text);
+        }
+    }
+    Some(read.finish(checker))
+}
+
+/// A job while its header is read.
+struct HeaderJob {
+    job: Value,
+    /// The cycle, of a set-up the first one, and all cycles of a set-up.
+    def: &'static CycleDef,
+    defs: Vec<&'static CycleDef>,
+    /// Result, key and value of each tolerance.
+    tolerances: Vec<(String, String, Value)>,
+    /// Path and encoded text of each line of the shop.
+    shop_lines: Vec<(String, String)>,
+    /// Number of values that the job does not use.
+    unknown: usize,
+}
+
+impl HeaderJob {
+    /// Takes a value of the header.
+    fn take(&mut self, path: &str, text: &str) {
         if let Some((place, continues)) = shop_place(path) {
-            match shop_lines.last_mut().filter(|_| continues) {
+            match self.shop_lines.last_mut().filter(|_| continues) {
                 Some((_, line)) => line.push_str(text),
-                None => shop_lines.push((place, (*text).to_owned())),
+                None => self.shop_lines.push((place, text.to_owned())),
             }
-            continue;
+        } else if let Some((index, rest)) = in_cycle(path) {
+            self.take_in_cycle(index, rest, text);
+        } else if self.defs.is_empty() || !self.take_of_set_up(path, text) {
+            self.take_plain(path, text);
         }
-        if let Some((index, rest)) = in_cycle(path) {
-            let alone = format!("cycle.{rest}");
-            let Some(def) = defs.get(index) else {
-                unknown += 1;
-                continue;
-            };
-            if rest.eq_ignore_ascii_case("name") {
-                set(
-                    &mut job,
-                    &format!("cycles[{index}].name"),
-                    Value::Text(small_letters(text)),
-                );
-                continue;
-            }
-            let alone = if has_place(def, &alone) {
-                alone
-            } else {
-                spelled(def, &alone)
-            };
-            match alone
-                .strip_prefix("cycle.")
-                .filter(|_| has_place(def, &alone))
-            {
-                Some(own) => set(
-                    &mut job,
-                    &format!("cycles[{index}].{own}"),
-                    value(&word(def, &alone, text)),
-                ),
-                None => unknown += 1,
-            }
-            continue;
-        }
-        if !defs.is_empty()
-            && let Some(key) = of_set_up(path)
-        {
-            let text = small_letters(text);
-            set(
-                &mut job,
-                &key,
-                value(if text.eq_ignore_ascii_case("null") {
-                    "null"
-                } else {
-                    &text
-                }),
-            );
-            continue;
-        }
-        if !defs.is_empty()
-            && path
-                .get(..RELATIONS.len())
-                .is_some_and(|head| head.eq_ignore_ascii_case(RELATIONS))
-        {
-            set_relation(&mut job, &path.to_ascii_lowercase(), &small_letters(text));
-            continue;
-        }
+    }
+
+    /// Takes a tolerance, or a value of a section or of the only cycle.
+    fn take_plain(&mut self, path: &str, text: &str) {
         if let Some((code, key)) = of_tolerance(path) {
             let text = small_letters(text);
             let given = if key.starts_with(WEAR.key) {
@@ -334,44 +310,89 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             } else {
                 Value::Text(text)
             };
-            tolerances.push((code, key, given));
-            continue;
+            return self.tolerances.push((code, key, given));
         }
-        // Controls without small letters have everything in capitals.
-        let path = if has_place(def, path) {
-            (*path).to_owned()
-        } else {
-            spelled(def, path)
+        let path = proper(self.def, path);
+        let given = value(&word(self.def, &path, text));
+        self.put(self.def, &path, &path, given);
+    }
+
+    /// Takes a value of a cycle of a set-up.
+    fn take_in_cycle(&mut self, index: usize, rest: &str, text: &str) {
+        let Some(def) = self.defs.get(index).copied() else {
+            self.unknown += 1;
+            return;
         };
-        if has_place(def, &path) {
-            set(&mut job, &path, value(&word(def, &path, text)));
+        if rest.eq_ignore_ascii_case("name") {
+            let name = Value::Text(small_letters(text));
+            return set(&mut self.job, &format!("cycles[{index}].name"), name);
+        }
+        let single = proper(def, &format!("cycle.{rest}"));
+        let own = single.strip_prefix("cycle.").unwrap_or(&single);
+        let given = value(&word(def, &single, text));
+        self.put(def, &single, &format!("cycles[{index}].{own}"), given);
+    }
+
+    /// Takes another value of a set-up. Returns whether it is one.
+    fn take_of_set_up(&mut self, path: &str, text: &str) -> bool {
+        let text = small_letters(text);
+        if let Some(key) = of_set_up(path) {
+            let is_null = text.eq_ignore_ascii_case("null");
+            let given = value(if is_null { "null" } else { &text });
+            set(&mut self.job, &key, given);
+            return true;
+        }
+        let is_relation = lex::strip_prefix_nocase(path, RELATIONS).is_some();
+        if is_relation {
+            set_relation(&mut self.job, &path.to_ascii_lowercase(), &text);
+        }
+        is_relation
+    }
+
+    /// Puts a value at a path, if the cycle has the `single` one.
+    fn put(&mut self, def: &CycleDef, single: &str, path: &str, given: Value) {
+        if has_place(def, single) {
+            set(&mut self.job, path, given);
         } else {
-            unknown += 1;
+            self.unknown += 1;
         }
     }
-    for (place, code) in shop_lines {
-        match coded::decoded(&code) {
-            // A place without lines.
-            _ if !place.ends_with(']') => {
-                set(&mut job, &place, value(&code.to_ascii_lowercase()));
+
+    /// The job, with its tolerances and lines of the shop.
+    fn finish(mut self, checker: &mut Checker) -> Value {
+        for (place, code) in self.shop_lines {
+            match coded::decoded(&code) {
+                // A place without lines.
+                _ if !place.ends_with(']') => {
+                    set(&mut self.job, &place, value(&code.to_ascii_lowercase()));
+                }
+                Some(line) => set(&mut self.job, &place, Value::Text(line)),
+                None => self.unknown += 1,
             }
-            Some(line) => set(&mut job, &place, Value::Text(line)),
-            None => unknown += 1,
         }
+        if let Value::Map(entries) = &mut self.job
+            && !self.tolerances.is_empty()
+        {
+            entries.push((TOLERANCES.to_owned(), grouped(self.tolerances)));
+        }
+        if self.unknown > 0 {
+            let message = text!(
+                "The header has {unknown} values that this cycle does not use: ignored",
+                self.unknown
+            );
+            checker.warning("header-unknown", "", message);
+        }
+        self.job
     }
-    if let Value::Map(entries) = &mut job
-        && !tolerances.is_empty()
-    {
-        entries.push((TOLERANCES.to_owned(), grouped(tolerances)));
+}
+
+/// A path in its proper spelling: controls without small letters have everything in capitals.
+fn proper(def: &CycleDef, path: &str) -> String {
+    if has_place(def, path) {
+        path.to_owned()
+    } else {
+        spelled(def, path)
     }
-    if unknown > 0 {
-        let message = text!(
-            "The header has {unknown} values that this cycle does not use: ignored",
-            unknown
-        );
-        checker.warning("header-unknown", "", message);
-    }
-    Some(job)
 }
 
 /// The path of a line of the shop, in its proper spelling, and whether the word continues the line: `machine.frame.head[0]+`.

@@ -459,10 +459,16 @@ impl Stylus {
 }
 
 impl LimitsForm {
-    fn limits(&self) -> Limits {
+    /// The limits of a job. Without a stated size limit it follows the tolerances of the sizes.
+    fn limits(&self, value: &Value, sized: &[Sized]) -> Limits {
+        let stated = value.get("limits").and_then(|given| given.get("size"));
+        let followed = match stated {
+            Some(_) => None,
+            None => sized::size_limit(sized, USUAL_SIZE),
+        };
         Limits {
             position: self.position,
-            size: self.size,
+            size: followed.or(self.size),
             angle: self.angle,
             residual: self.residual,
         }
@@ -516,6 +522,48 @@ impl Job {
         read_format(checker, value);
         let units = Units::of(value);
         (checker.scale, checker.unit) = (units.scale(), units.word());
+        let forms = Forms::read(checker, value);
+        let setup = forms.setup();
+        let cycle = read_cycle(checker, value);
+        if let Some((_, cycle, _)) = &cycle {
+            cycle.rules(&setup, checker);
+        }
+        let post = control::find(&forms.control.post).expect("a checked choice is a post");
+        let def = cycle.as_ref().map(|(def, ..)| *def);
+        check_control(checker, post, &forms.control, def);
+        check_length(checker, post, &forms.length);
+        check_name(checker, post, &forms.general.name);
+        if let Some((def, _, Some(repeat))) = &cycle {
+            check_repeat(checker, value, (def, repeat), (post, &forms.control));
+        }
+        let sized = match (def, value.get("cycle")) {
+            (Some(def), Some(given)) => sized::of(def, given, units.scale()),
+            _ => Vec::new(),
+        };
+        let sizes = read_sizes(checker, value, cycle.as_ref(), (&setup, &sized));
+        let cycle = cycle?;
+        if checker.failed() {
+            return None;
+        }
+        Some(forms.job(value, (post, setup), cycle, (sized, sizes)))
+    }
+}
+
+/// The sections of a job around its cycle, checked.
+struct Forms {
+    general: General,
+    stock: Option<StockForm>,
+    stylus: Stylus,
+    feeds: FeedForm,
+    limits: LimitsForm,
+    machine: MachineForm,
+    control: Control,
+    length: Query,
+    part: PartForm,
+}
+
+impl Forms {
+    fn read(checker: &mut Checker, value: &Value) -> Self {
         let mut root = Section::new(checker, Some(value), "");
         root.only(
             General::FIELDS,
@@ -526,127 +574,84 @@ impl Job {
         );
         let general = General::read(&mut root);
         let stock = root.sub(&STOCK, StockForm::read);
-        let stylus: Stylus =
-            read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
-        let feeds: FeedForm = read_section(
-            checker,
-            value,
-            "feeds",
-            FeedForm::FIELDS,
-            &[],
-            FeedForm::read,
-        );
-        let limits: LimitsForm = read_section(
-            checker,
-            value,
-            "limits",
-            LimitsForm::FIELDS,
-            &[],
-            LimitsForm::read,
-        );
-        let machine: MachineForm = read_section(
-            checker,
-            value,
-            "machine",
-            MachineForm::FIELDS,
-            &[],
-            MachineForm::read,
-        );
-        let control: Control = read_section(
-            checker,
-            value,
-            "control",
-            Control::FIELDS,
-            &[],
-            Control::read,
-        );
-        let length = read_tool(checker, value, &general.plane);
-        let part: PartForm = read_section(
-            checker,
-            value,
-            "part",
-            PartForm::FIELDS,
-            &["sizes"],
-            PartForm::read,
-        );
-        let plane = Plane::named(&general.plane);
-        let setup = ProbeSettings {
-            plane,
-            radius: stylus.diameter / 2.0,
-            overtravel: general.overtravel,
-        };
-        let cycle = read_cycle(checker, value);
-        if let Some((_, cycle, _)) = &cycle {
-            cycle.rules(&setup, checker);
+        Forms {
+            stock,
+            stylus: read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read),
+            feeds: read_section(
+                checker,
+                value,
+                "feeds",
+                FeedForm::FIELDS,
+                &[],
+                FeedForm::read,
+            ),
+            limits: read_section(
+                checker,
+                value,
+                "limits",
+                LimitsForm::FIELDS,
+                &[],
+                LimitsForm::read,
+            ),
+            machine: read_section(
+                checker,
+                value,
+                "machine",
+                MachineForm::FIELDS,
+                &[],
+                MachineForm::read,
+            ),
+            control: read_section(
+                checker,
+                value,
+                "control",
+                Control::FIELDS,
+                &[],
+                Control::read,
+            ),
+            length: read_tool(checker, value, &general.plane),
+            part: read_section(
+                checker,
+                value,
+                "part",
+                PartForm::FIELDS,
+                &["sizes"],
+                PartForm::read,
+            ),
+            general,
         }
-        let post = control::find(&control.post).expect("a checked choice is a post");
-        check_control(
-            checker,
-            post,
-            &control,
-            cycle.as_ref().map(|(def, ..)| *def),
-        );
-        check_length(checker, post, &length);
-        check_name(checker, post, &general.name);
-        let repeats = cycle
-            .as_ref()
-            .is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1));
-        if repeats && ProgramForm::named(&control.form) == ProgramForm::Cycle {
-            let takes_moves = cycle
-                .as_ref()
-                .is_some_and(|(def, ..)| (post.supports)(def.probes, ProgramForm::Moves).is_ok());
-            let message = match takes_moves {
-                true => text!(
-                    "Native cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
-                ),
-                false => {
-                    text!(
-                        "Native cycles touch each point as often as the control is set to: touch each point once"
-                    )
-                }
-            };
-            checker.error("repeat-unsupported", "cycle.repeat", message);
-        }
-        let extruded = matches!(
-            value.get("cycle").and_then(|cycle| cycle.get("extrusion")),
-            Some(Value::Map(_))
-        );
-        if repeats && extruded {
-            let message = text!(
-                "Extrusion probing touches each point at several heights already: use that or repeated touches, not both"
-            );
-            checker.error("repeat-unsupported", "cycle.repeat", message);
-        }
-        let sized = match (&cycle, value.get("cycle")) {
-            (Some((def, ..)), Some(given)) => sized::of(def, given, units.scale()),
-            _ => Vec::new(),
-        };
-        let sizes = read_sizes(checker, value, cycle.as_ref(), (&setup, &sized));
-        let mut limits = limits.limits();
-        if value
-            .get("limits")
-            .and_then(|given| given.get("size"))
-            .is_none()
-        {
-            limits.size = sized::size_limit(&sized, USUAL_SIZE).or(limits.size);
-        }
+    }
 
-        let (def, cycle, repeat) = cycle?;
-        if checker.failed() {
-            return None;
+    /// Plane, ball radius and overtravel.
+    fn setup(&self) -> ProbeSettings {
+        ProbeSettings {
+            plane: Plane::named(&self.general.plane),
+            radius: self.stylus.diameter / 2.0,
+            overtravel: self.general.overtravel,
         }
-        Some(Job {
-            name: general.name,
-            scale: checker.scale,
+    }
+
+    /// The job with this cycle, the sizes that contain a tolerance, and the cycle in the sizes of the actual part.
+    fn job(
+        self,
+        value: &Value,
+        (post, setup): (&'static PostDef, ProbeSettings),
+        (def, cycle, repeat): Read,
+        (sized, actual): (Vec<Sized>, Option<Box<dyn Cycle>>),
+    ) -> Job {
+        let units = Units::of(value);
+        let Forms { control, part, .. } = self;
+        Job {
+            name: self.general.name,
+            scale: units.scale(),
             unit: units.word(),
-            setup,
-            repeatability: stylus.repeatability,
-            shape: stylus.shape(),
-            runout: stylus.runout,
-            limits,
-            machine: machine.machine(),
-            shop: machine.frame,
-            feeds: feeds.feeds(),
+            repeatability: self.stylus.repeatability,
+            shape: self.stylus.shape(),
+            runout: self.stylus.runout,
+            limits: self.limits.limits(value, &sized),
+            machine: self.machine.machine(),
+            shop: self.machine.frame,
+            feeds: self.feeds.feeds(),
             def,
             cycle,
             sized,
@@ -665,10 +670,43 @@ impl Job {
             number: control.number,
             set_up: control.set_up,
             wear: wear::of(value.get(TOLERANCES), units.scale()),
-            placement: part.placement(plane, sizes.is_some(), states_sizes(value)),
-            stock: stock.map(|StockForm { origin, size }| Stock::new(origin, size)),
-            actual: sizes,
-        })
+            placement: part.placement(setup.plane, actual.is_some(), states_sizes(value)),
+            setup,
+            stock: self
+                .stock
+                .map(|StockForm { origin, size }| Stock::new(origin, size)),
+            actual,
+        }
+    }
+}
+
+/// Native cycles and extrusion probing do not repeat touches.
+fn check_repeat(
+    checker: &mut Checker,
+    value: &Value,
+    (def, repeat): (&CycleDef, &Repeat),
+    (post, control): (&PostDef, &Control),
+) {
+    if repeat.times <= 1 {
+        return;
+    }
+    if ProgramForm::named(&control.form) == ProgramForm::Cycle {
+        let message = match (post.supports)(def.probes, ProgramForm::Moves) {
+            Ok(()) => text!(
+                "Native cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
+            ),
+            Err(_) => text!(
+                "Native cycles touch each point as often as the control is set to: touch each point once"
+            ),
+        };
+        checker.error("repeat-unsupported", "cycle.repeat", message);
+    }
+    let extruded = value.get("cycle").and_then(|cycle| cycle.get("extrusion"));
+    if matches!(extruded, Some(Value::Map(_))) {
+        let message = text!(
+            "Extrusion probing touches each point at several heights already: use that or repeated touches, not both"
+        );
+        checker.error("repeat-unsupported", "cycle.repeat", message);
     }
 }
 
@@ -791,6 +829,20 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         };
         checker.error("form-unsupported", "control.form", message);
     }
+    check_run(checker, post, control, def);
+    check_ask(checker, control);
+    if control.number.is_some() && post.unused.contains(&"number") {
+        let message = text!(
+            "Programs for {title} have no number: it is ignored",
+            post.title.to_owned()
+        );
+        checker.info("number-unused", "control.number", message);
+    }
+    check_work_offset(checker, post, control);
+}
+
+/// A dry run is a program of moves.
+fn check_run(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
     if control.run == DRY_RUN && ProgramForm::named(&control.form) == ProgramForm::Cycle {
         let message = match def.map_or(Ok(()), |def| {
             (post.supports)(def.probes, ProgramForm::Moves)
@@ -814,14 +866,10 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             text!("Only a dry run is raised: this height has no effect"),
         );
     }
-    check_ask(checker, control);
-    if control.number.is_some() && post.unused.contains(&"number") {
-        let message = text!(
-            "Programs for {title} have no number: it is ignored",
-            post.title.to_owned()
-        );
-        checker.info("number-unused", "control.number", message);
-    }
+}
+
+/// The control has the work offset to write.
+fn check_work_offset(checker: &mut Checker, post: &PostDef, control: &Control) {
     if let Some(n) = control.work_offset {
         if let Some(why) = post.why_not(WRITE_OFFSET) {
             checker.error(

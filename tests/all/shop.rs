@@ -4,6 +4,7 @@ use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{import, interpret, job, jobs, law, number, on_virtual_part, planned, with};
+use touchpath::config::Config;
 use touchpath::control::POSTS;
 use touchpath::control::shop::coded::{decoded, encoded};
 use touchpath::control::shop::place::CHOICES;
@@ -649,5 +650,40 @@ fn lines_of_the_head_and_the_foot_are_not_inserted() {
         let error = insert(&with_lines(&haas, &[(place, &["M5"])]), other, None).expect_err(place);
         assert_eq!(error.findings[0].code, "not-inserted");
         assert!(error.findings[0].message.contains(place), "{error}");
+    }
+}
+
+/// A portal fixes the lines: others are refused, and its own are checked.
+#[test]
+fn a_portal_fixes_the_lines() {
+    let config = job(
+        r#"{ "format": 1, "title": "Hall 3", "fields": { "machine.frame":
+        { "value": { "probeOn": ["M59 P3"] }, "locked": true, "reason": "OMP40" } } }"#,
+    );
+    let config = Config::read(&config).expect("a config");
+    let own = config.fill(&job(
+        r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "post": "haas" } }"#,
+    ));
+    assert!(planned(&own).program.text.contains("\nM59 P3\n"));
+    let other = with_lines(&bore("haas"), &[("probeOn", &["M59 P4"])]);
+    let locked: Vec<String> = config
+        .judge(&other)
+        .into_iter()
+        .map(|f| f.message)
+        .collect();
+    assert!(
+        locked.contains(&"Hall 3 fixes Shop's lines at M59 P3: OMP40".to_owned()),
+        "{locked:?}"
+    );
+    for wrong in [
+        r#"{ "probeOn": [7] }"#,
+        r#"{ "probeOn": ["\u00e9"] }"#,
+        r#"{ "on": [] }"#,
+    ] {
+        let config = job(&format!(
+            r#"{{ "format": 1, "fields": {{ "machine.frame": {{ "value": {wrong} }} }} }}"#
+        ));
+        let error = Config::read(&config).expect_err(wrong);
+        assert_eq!(error.findings[0].path, "config.fields.machine.frame.value");
     }
 }

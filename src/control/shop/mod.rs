@@ -135,51 +135,56 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
         );
     }
     for place in PLACES {
-        let given = request.shop.at(place.key);
-        if given.is_empty() {
-            continue;
+        check_place(request, place, checker);
+    }
+}
+
+/// Reports about the lines of a place.
+fn check_place(request: &Request<'_>, place: &Place, checker: &mut Checker) {
+    let given = request.shop.at(place.key);
+    if given.is_empty() {
+        return;
+    }
+    let path = format!("{PATH}{}", place.key);
+    if let Some(why) = unused(request, place) {
+        checker.info(
+            "shop-lines-unused",
+            &path,
+            text!("These lines are not in the program. {why}", why),
+        );
+        return;
+    }
+    // Each line with its index in the job.
+    let mut own: (Vec<usize>, Vec<String>) = (Vec::new(), Vec::new());
+    for (i, line) in given.iter().enumerate() {
+        match filled(request, line) {
+            Ok(line) if line.is_empty() => {}
+            Ok(line) => {
+                own.0.push(i);
+                own.1.push(line);
+            }
+            Err(why) => checker.error("shop-line", format!("{path}[{i}]"), why),
         }
-        let path = format!("{PATH}{}", place.key);
-        if let Some(why) = unused(request, place) {
-            checker.info(
-                "shop-lines-unused",
-                &path,
-                text!("These lines are not in the program. {why}", why),
-            );
-            continue;
-        }
-        // Each line with its index in the job.
-        let mut own: (Vec<usize>, Vec<String>) = (Vec::new(), Vec::new());
-        for (i, line) in given.iter().enumerate() {
-            match filled(request, line) {
-                Ok(line) if line.is_empty() => {}
-                Ok(line) => {
-                    own.0.push(i);
-                    own.1.push(line);
-                }
-                Err(why) => checker.error("shop-line", format!("{path}[{i}]"), why),
+    }
+    let (indices, lines) = own;
+    let mut unknown = Vec::new();
+    let judged = judge(request, place, &lines).into_iter().zip(&lines);
+    for (i, (judgement, line)) in indices.into_iter().zip(judged) {
+        match judgement {
+            Judgement::Understood => {}
+            Judgement::Unknown => unknown.push(line.clone()),
+            Judgement::Refused(why) => {
+                let message = text!("\"{line}\": {why}", line.clone(), why);
+                checker.error("shop-line", format!("{path}[{i}]"), message);
             }
         }
-        let (indices, lines) = own;
-        let mut unknown = Vec::new();
-        let judged = judge(request, place, &lines).into_iter().zip(&lines);
-        for (i, (judgement, line)) in indices.into_iter().zip(judged) {
-            match judgement {
-                Judgement::Understood => {}
-                Judgement::Unknown => unknown.push(line.clone()),
-                Judgement::Refused(why) => {
-                    let message = text!("\"{line}\": {why}", line.clone(), why);
-                    checker.error("shop-line", format!("{path}[{i}]"), message);
-                }
-            }
-        }
-        if !unknown.is_empty() {
-            let message = text!(
-                "Touchpath does not know what these lines do, and does not check them: {lines}",
-                unknown.join(" | ")
-            );
-            checker.info("shop-lines-unknown", &path, message);
-        }
+    }
+    if !unknown.is_empty() {
+        let message = text!(
+            "Touchpath does not know what these lines do, and does not check them: {lines}",
+            unknown.join(" | ")
+        );
+        checker.info("shop-lines-unknown", &path, message);
     }
 }
 
