@@ -5,7 +5,7 @@ use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{interpret, job, number, on_virtual_part, planned, with};
 use touchpath::form::Value;
-use touchpath::job::{Plan, check, plan};
+use touchpath::job::{Plan, check, check_program, plan};
 
 const WRITING: [&str; 4] = ["linuxcnc", "sinumerik", "fanuc", "haas"];
 
@@ -80,6 +80,15 @@ fn a_program_waits_between_its_results_and_its_write() {
                 .safety
                 .iter()
                 .all(|row| row.rule != "asked-before-write")
+        );
+        // Started again at every block, also after a reset while it waits.
+        let asking = bore(post, "always", 0.0);
+        let rows = check_program(&asking, &plan.program.text)
+            .expect("it is read")
+            .expect("it is understood");
+        assert!(
+            rows.iter().all(|row| row.holds != Some(false)),
+            "{post}: {rows:?}"
         );
         if post == "linuxcnc" {
             let ran = interpret(&on_virtual_part(&plan)).expect("it runs");

@@ -69,7 +69,7 @@ test("fields that change nothing stood there with a value", async () => {
   for (const one of angular) assert.equal(await one.count(), 0);
   await field("cycle.variant").selectOption("1");
   for (const one of angular) await one.waitFor();
-  for (const path of ["control.number", "control.tool"])
+  for (const path of ["control.number", "control.setUp"])
     assert.equal(await field(path).count(), 0, path);
   await field("control.post").selectOption("fanuc");
   assert.equal(

@@ -84,7 +84,7 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
     await field("cycle.width1").fill("-1");
     // Of two units the chosen one has the focus.
     const reached =
-      "tp-form :is(input:not([type=radio]:not(:checked)), select, button):visible:not(:disabled)";
+      "tp-form :is(input:not([type=radio]:not(:checked)), select, button, textarea):visible:not(:disabled)";
     const fields = await page.locator(reached).count();
     const look = () =>
       page.evaluate(() => {
