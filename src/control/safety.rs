@@ -221,7 +221,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: ASKED,
-        requirement: "The program waits for the operator before it writes a work offset where the job says so, and nowhere else",
+        requirement: "The program waits for the operator before it writes a work offset, if the job says so",
         why: "A value that nobody has seen would be written.",
         mandatory: true,
         own_cycle: true,

@@ -19,6 +19,7 @@ use crate::job::rows::{
     Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows,
     triple,
 };
+use crate::job::sections::ASK;
 use crate::job::stylus::{purpose, report_stylus, report_unknown};
 use crate::job::{
     Job, JobError, datum, dependencies, relations, resolved, set_up, stock, tolerances, wear,
@@ -552,6 +553,14 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
         (job.post.check)(&request, &mut checker);
     }
     shop::check(&request, &mut checker);
+    if request.ask != Ask::Never && !request.writes_offset() && !request.post.unused.contains(&ASK)
+    {
+        checker.info(
+            "ask-unused",
+            "control.ask",
+            text!("The program writes no work offset: it does not ask"),
+        );
+    }
     if request.ask == Ask::Outside && request.always_asks() {
         checker.error(
             "ask-unsupported",

@@ -892,17 +892,11 @@ fn check_work_offset(checker: &mut Checker, post: &PostDef, control: &Control) {
 
 /// A program that asks writes by moves and shows its results.
 fn check_ask(checker: &mut Checker, control: &Control) {
-    if Ask::named(&control.ask) == Ask::Never {
+    if Ask::named(&control.ask) == Ask::Never || control.work_offset.is_none() {
         return;
     }
     let path = format!("control.{ASK}");
-    if control.work_offset.is_none() {
-        checker.info(
-            "ask-unused",
-            path,
-            text!("The program writes no work offset: it does not ask"),
-        );
-    } else if ProgramForm::named(&control.form) == ProgramForm::Cycle {
+    if ProgramForm::named(&control.form) == ProgramForm::Cycle {
         checker.error(
             "ask-unsupported",
             path,

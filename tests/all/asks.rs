@@ -231,3 +231,42 @@ fn a_question_that_cannot_be_asked_is_reported() {
             .any(|f| (f.code.as_str(), f.path.as_str()) == ("unknown-value", "control.ask"))
     );
 }
+
+/// A control that reads on while it waits would write before the operator answers: such a program is not understood.
+#[test]
+fn nothing_is_written_while_it_waits() {
+    for (post, halt) in [
+        ("linuxcnc", "M66 E0 L0"),
+        ("sinumerik", "STOPRE"),
+        ("fanuc", "G53"),
+        ("haas", "G103 P1"),
+    ] {
+        let asking = bore(post, "always", 0.0);
+        let text = planned(&asking).program.text;
+        let waits = format!("\nM0\n{halt}\n");
+        assert_eq!(text.matches(&waits).count(), 1, "{post}\n{text}");
+        let changed = text.replace(&waits, "\nM0\n");
+        let read = check_program(&asking, &changed).expect("it is read");
+        assert!(
+            read.is_err() || read.is_ok_and(|rows| rows.iter().any(|row| row.holds == Some(false))),
+            "{post}"
+        );
+    }
+}
+
+/// A result of a set-up that has a second register is compared where the program reads it.
+#[test]
+fn results_of_a_set_up_are_asked() {
+    let set_up = std::fs::read_to_string("examples/set-ups/two-holes.json").expect("a job");
+    for post in ["sinumerik", "linuxcnc"] {
+        let given = with(&job(&set_up), "control.post", Value::Text(post.to_owned()));
+        let given = with(&given, "control.workOffset", number(2.0));
+        let given = with(&given, "control.ask", Value::Text("outside".to_owned()));
+        for action in ["go", "mark", "stop"] {
+            let tolerance = job(&format!(
+                r#"{{ "BOTH.Q994": {{ "tolerance": "±0.1", "action": "{action}" }} }}"#
+            ));
+            planned(&with(&given, "tolerances", tolerance));
+        }
+    }
+}

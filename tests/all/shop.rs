@@ -253,8 +253,12 @@ fn dangerous_lines_are_refused() {
         ("linuxcnc", "beforeWrite", &["G55"]),
         ("fanuc", "head", &["G68 X0. Y0. R10."]),
         ("sinumerik", "head", &["TRANS X10"]),
-        ("heidenhain", "head", &["CYCL DEF 7.0 DATUM SHIFT"]),
-        ("heidenhain", "foot", &["PLANE RESET STAY"]),
+        ("heidenhain", "head", &["CYCL DEF 7.1 X+10"]),
+        (
+            "heidenhain",
+            "foot",
+            &["PLANE SPATIAL SPA+10 SPB+0 SPC+0 STAY"],
+        ),
         // Modes that stay.
         ("fanuc", "head", &["G91 G28 Z0."]),
         ("fanuc", "head", &["G20"]),
@@ -321,6 +325,31 @@ fn dangerous_lines_are_refused() {
         ("heidenhain", "head", &["FN17:SYSWRITE ID10 NR1"]),
         ("heidenhain", "head", &["CR X+10 Y+0 R+5 DR-"]),
         ("sinumerik", "head", &["MCALL CYCLE83"]),
+        // Each code of a line, and each way to move.
+        ("fanuc", "head", &["M5 M98 P9000 M3"]),
+        ("linuxcnc", "probeOff", &["G4 P0.1 Z-50"]),
+        ("grbl", "foot", &["G4 P0.1 Z-50"]),
+        ("linuxcnc", "onAlarm", &["G4 P0.1 Z-50"]),
+        ("haas", "foot", &["G49", "G0 Z{clearance}"]),
+        ("haas", "foot", &["T3 M6", "G0 Z{clearance}"]),
+        ("sinumerik", "foot", &["G0 Z30 D0"]),
+        ("haas", "beforeFirstMove", &["G0 Z{clearance}"]),
+        (
+            "haas",
+            "foot",
+            &["G53 G0 Z0.", "G53 G0 X0. Y0.", "G0 Z{clearance}"],
+        ),
+        ("sinumerik", "beforeFirstMove", &["T=\"ENDMILL\""]),
+        ("sinumerik", "head", &["T=3", "M6", "D1"]),
+        ("sinumerik", "onAlarm", &["SPOS=90"]),
+        ("sinumerik", "onAlarm", &["G0 Z=-50"]),
+        ("sinumerik", "foot", &["M=30"]),
+        ("sinumerik", "beforeFirstMove", &["D=0"]),
+        ("haas", "onAlarm", &["M3 S5000", "M5"]),
+        ("heidenhain", "probeOn", &["TOOL CALL 7 Y S50"]),
+        ("haas", "beforeWrite", &["M0"]),
+        ("haas", "beforeFirstMove", &["G103 P0"]),
+        ("linuxcnc", "beforeFirstMove", &["G43.2 H5"]),
         // Placeholders and texts.
         ("fanuc", "head", &["T{tol} M6"]),
         ("fanuc", "head", &["{offset}"]),
@@ -351,14 +380,16 @@ fn usual_lines_are_accepted() {
             "head",
             &["G91 G28 Z0.", "G90", "G54", "T7 M6", "G43 H7"],
         ),
-        ("haas", "beforeFirstMove", &["G0 Z{clearance}"]),
+        ("haas", "probeOff", &["G0 Z{clearance}"]),
+        ("haas", "beforeFirstMove", &["G91 G0 Z50.", "G90"]),
         ("haas", "foot", &["G91 G0 Z50.", "G90", "G49", "M5"]),
+        ("haas", "head", &["M0 (PROBE READY?)"]),
         ("linuxcnc", "head", &["G20", "G21", "G4 P0.5", "G59.1"]),
         ("fanuc", "head", &["G4 X1."]),
         (
             "sinumerik",
             "head",
-            &["SUPA G0 Z0 D0", "T=\"PROBE\" M6", "D1", "SPOS=0"],
+            &["SUPA G0 Z0 D0", "T=\"PROBE\" M6", "D1"],
         ),
         (
             "heidenhain",
@@ -405,13 +436,41 @@ fn lines_that_are_not_understood_are_named() {
             "CALL PGM TNC:\\PROBE.H",
             "; Shop's lines, probe on, not checked\n",
         ),
+        ("haas", "M50", "NOT CHECKED)\nM50\n"),
+        ("haas", "G53 G0 Z-10.", "NOT CHECKED)\nG53 G0 Z-10.\n"),
+        ("sinumerik", "L9810", "not checked\nL9810\n"),
+        (
+            "sinumerik",
+            "SUPA G0 Z=500 D1",
+            "not checked\nSUPA G0 Z=500 D1\n",
+        ),
+        ("sinumerik", "G75 Z0", "not checked\nG75 Z0\n"),
+        ("sinumerik", "OMP40_ON", "not checked\nOMP40_ON\n"),
+        ("fanuc", "G5.1 Q0", "NOT CHECKED)\nG5.1 Q0\n"),
+        ("okuma", "G15 H5", "NOT CHECKED)\nG15 H5\n"),
+        ("okuma", "G53 G0 Z0", "NOT CHECKED)\nG53 G0 Z0\n"),
+        ("brother", "G121", "NOT CHECKED)\nG121\n"),
+        ("fanuc", "M5 M13 S1000", "NOT CHECKED)\nM5 M13 S1000\n"),
+        ("fanuc", "G53 G0 Z0. Z-300.", "NOT CHECKED)\n"),
+        ("linuxcnc", "G64 P5", "not checked)\nG64 P5\n"),
+        ("haas", "G63", "NOT CHECKED)\nG63\n"),
+        ("heidenhain", "L Z+0 R0 FMAX M92", "not checked\n"),
+        ("heidenhain", "CYCL DEF 9.0 DWELL TIME", "not checked\n"),
+        ("heidenhain", "PLANE RESET STAY", "not checked\n"),
+        ("okuma", "G20 HP=1", "NOT CHECKED)\nG20 HP=1\n"),
+        ("sinumerik", "$A_OUT[5]=1", "not checked\n$A_OUT[5]=1\n"),
+        ("sinumerik", "SPOS=0", "not checked\nSPOS=0\n"),
+        ("fanuc", "M70", "NOT CHECKED)\nM70\n"),
+        ("linuxcnc", "o100 call", "not checked)\no100 call\n"),
+        ("linuxcnc", "M61 Q7", "not checked)\nM61 Q7\n"),
     ] {
         let job = with_lines(&bore(post), &[("probeOn", &[own])]);
         let found = found(&job);
         assert_eq!(found.len(), 1, "{post}: {found:?}");
         assert_eq!(
             (found[0].code.as_str(), found[0].level),
-            ("shop-lines-unknown", Level::Info)
+            ("shop-lines-unknown", Level::Info),
+            "{post} {own}: {found:?}"
         );
         assert!(planned(&job).program.text.contains(mark), "{post}");
     }
@@ -450,6 +509,11 @@ fn only_the_lines_of_the_job_are_left_out() {
         ("M59 P3\n", "M59 P3\nG10 L2 P1 X5.\n"),
         ("M59 P3\n", "M59 P4\n"),
         ("M69 P3\n", "M69 P3\n#5221=5.\n"),
+        // The lines before the touches.
+        (
+            "M5\n",
+            "(SHOP'S LINES, PROBE OFF, NOT CHECKED)\nM69 P3\nM5\n",
+        ),
         // A second copy of the lines.
         (
             "M5\n",
@@ -588,7 +652,8 @@ fn the_tool_of_the_probe_is_checked() {
             let mut control = Control::new(post == "haas", false);
             control.at = [0.0, 0.0, 200.0];
             control.contacts = plan.triggers.iter().flatten().copied().collect();
-            control.variables.insert(4120, f64::from(tool));
+            let variable = if post == "haas" { 3026 } else { 4120 };
+            control.variables.insert(variable, f64::from(tool));
             control
                 .run(&plan.program.text)
                 .unwrap_or_else(|why| panic!("{post} {why}"));
@@ -605,10 +670,7 @@ fn the_tool_of_the_probe_is_checked() {
     let linuxcnc = with(&bore("linuxcnc"), "control.tool", number(1.0));
     let refused =
         interpret(&on_virtual_part(&planned(&linuxcnc))).expect_err("no tool is in the spindle");
-    assert!(
-        refused.contains("the probe is tool 1. Nothing has moved"),
-        "{refused}"
-    );
+    assert!(refused.contains("the probe is tool 1"), "{refused}");
     assert!(!refused.contains("STRAIGHT_"), "{refused}");
     let called = with_lines(&linuxcnc, &[("head", &["T{tool} M6", "G43"])]);
     interpret(&on_virtual_part(&planned(&called))).expect("it runs");

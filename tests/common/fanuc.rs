@@ -80,7 +80,9 @@ impl Control {
             number.parse().ok()
         };
         if let Some(tool) = lines.iter().find_map(stated) {
-            self.variables.entry(4120).or_insert(tool);
+            self.variables
+                .entry(if self.haas { 3026 } else { 4120 })
+                .or_insert(tool);
         }
         let mut next = 0;
         for _ in 0..200_000 {

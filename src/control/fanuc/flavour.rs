@@ -18,6 +18,8 @@ pub(super) struct Flavour {
     pub free_again: Option<&'static str>,
     /// Whether the end of the program may clear the common variables.
     pub forgets: bool,
+    /// Variable with the tool: the last T word of a Fanuc, the tool in the spindle of a Haas.
+    pub tool: &'static str,
     /// States in which the program does not move, in words.
     pub refuses: &'static str,
     /// States in which nothing moves, besides other units, each with the text of its alarm: at most 26 characters.
@@ -29,6 +31,7 @@ pub(super) struct Flavour {
 }
 
 pub(super) static PLAIN: Flavour = Flavour {
+    tool: "#4120",
     length: "#[2000+#4111]+#[2200+#4111]",
     rapid: STATED_RAPID,
     positioning_suffix: "",
@@ -60,6 +63,7 @@ const TILTED: &str = "TILTED PLANE IS ACTIVE";
 const SCALED: &str = "SCALING G51 IS ACTIVE";
 
 pub(super) static WITH_ALARMS: Flavour = Flavour {
+    tool: "#3026",
     length: "#5083",
     rapid: 2400.0,
     positioning_suffix: " M78",

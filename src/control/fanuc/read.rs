@@ -51,7 +51,7 @@ fn system(name: &[u8]) -> Option<System> {
         4022 => Some(System::Fixed(50.1)),
         4016 => Some(System::Fixed(69.0)),
         4011 => Some(System::Fixed(50.0)),
-        4120 => Some(System::Tool),
+        3026 | 4120 => Some(System::Tool),
         4017 => Some(System::Fixed(15.0)),
         // Number of a length that the tables have.
         4111 => Some(System::Fixed(7.0)),

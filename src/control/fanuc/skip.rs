@@ -254,10 +254,12 @@ impl SkipWriter<'_> {
             true => ("#4006 EQ 20", "SET THE UNITS TO MM"),
             false => ("#4006 EQ 21", "SET THE UNITS TO INCH"),
         };
-        let other_tool = self
-            .request
-            .checked_tool()
-            .map(|tool| (Cow::Owned(format!("#4120 NE {tool}")), OTHER_TOOL));
+        let other_tool = self.request.checked_tool().map(|tool| {
+            (
+                Cow::Owned(format!("{} NE {tool}", self.flavour.tool)),
+                OTHER_TOOL,
+            )
+        });
         std::iter::once(other_units)
             .chain(self.flavour.states.iter().copied())
             .map(|(check, says)| (Cow::Borrowed(check), says))
@@ -481,7 +483,7 @@ impl Moves for SkipWriter<'_> {
 
     fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
         let register = self.registers.variables[question.variable.index()];
-        let (off, limit) = self.deviation(question);
+        let (off, limit) = self.deviation(formula, question);
         let result = &formula.results[question.result];
         let off_or_out = if matches!(
             question.asked,
@@ -524,7 +526,7 @@ impl Moves for SkipWriter<'_> {
     fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, checks: &[ResultCheck]) {
         let [shows, goes_on] = [self.label(), self.label()];
         for check in checks {
-            let (off, limit) = self.deviation(check);
+            let (off, limit) = self.deviation(formula, check);
             w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {shows}"));
         }
         if !checks.is_empty() {
@@ -661,9 +663,9 @@ impl SkipWriter<'_> {
     }
 
     /// Deviation of a result from its expected value, and its limit.
-    fn deviation(&self, check: &ResultCheck) -> (String, String) {
+    fn deviation(&self, formula: &Formula, check: &ResultCheck) -> (String, String) {
         let unit = if check.angle { 1.0 } else { self.request.scale };
-        let register = self.registers.variables[check.variable.index()];
+        let register = self.registers.checked(formula, check);
         let [limit, wanted] = [check.limit, check.expected].map(|x| constant(x / unit));
         let off = match wanted.as_str() {
             "0." => variable(register),
@@ -683,6 +685,8 @@ impl SkipWriter<'_> {
         }
         w.line(block);
         if writes {
+            // Nothing below is read before cycle start.
+            w.line(self.flavour.halt);
             w.line(&format!("{count}=#1"));
             w.line("#1=0");
         }

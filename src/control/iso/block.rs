@@ -119,6 +119,11 @@ impl Block {
         self.has_axes() && self.effects().all(|(effect, _)| is_move(effect))
     }
 
+    /// Whether it has this code.
+    pub fn does_code(&self, code: &str) -> bool {
+        self.effects().any(|(_, own)| own == code)
+    }
+
     /// Whether it has a code with such an effect.
     pub fn does(&self, is: impl Fn(Effect) -> bool) -> bool {
         self.effects().any(|(effect, _)| is(effect))

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::formula::{Formula, Node};
+use crate::formula::{CheckKind, Formula, Node, ResultCheck};
 use crate::path::Path;
 
 /// Allocation of variables, counted from 1: first the results in order, then the triggers, then intermediate values, each as long as it is needed.
@@ -226,6 +226,18 @@ impl Registers {
             .iter()
             .find(|(key, _)| *key == (sample, axis))
             .map_or(0, |(_, register)| *register)
+    }
+
+    /// Register of a checked result: results have the first ones, in order, after their copies are made. Before a cycle that follows it there are none.
+    pub fn checked(&self, formula: &Formula, check: &ResultCheck) -> usize {
+        if check.asked == CheckKind::FollowLimit {
+            return self.variables[check.variable.index()];
+        }
+        let results = &formula.results[..=check.result];
+        results
+            .iter()
+            .filter(|result| result.variable.is_some())
+            .count()
     }
 
     /// List of the registers for the header, in lines of at most `width`. The write of the frame needs `more` registers. `name` is the notation of a register.

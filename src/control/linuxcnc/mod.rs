@@ -177,7 +177,7 @@ impl Moves for LinuxCnc<'_> {
                 &format!(" if [[#<_task> EQ 1] AND [#5400 NE {tool}]]"),
             ]);
             w.line(&format!(
-                "(ABORT,Tool #5400 is in the spindle, the probe is tool {tool}. Nothing has moved)"
+                "(ABORT,Tool #5400 is in the spindle, the probe is tool {tool})"
             ));
             w.parts(&["o", &label, " endif"]);
         }
@@ -354,6 +354,8 @@ impl Moves for LinuxCnc<'_> {
         }
         w.line("(DEBUG,Cycle start writes the work offset. Abort leaves it unchanged)");
         w.line("M0");
+        // The interpreter reads on while M0 waits: M66 lets it write only after cycle start.
+        w.line("M66 E0 L0");
         if !checks.is_empty() {
             w.parts(&["o", &label, " endif"]);
         }

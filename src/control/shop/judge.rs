@@ -4,7 +4,8 @@
 use super::klartext;
 use super::place::Place;
 use super::state::{
-    Coordinates, Judged, Mode, State, assigns, decides, moves_otherwise, transforms, writes,
+    Coordinates, Judged, Mode, State, assigns, decides, moves_otherwise, spindle, transforms,
+    writes,
 };
 use crate::control::iso::block::Block;
 use crate::control::iso::codes::{Effect, FRAMES, Family};
@@ -59,8 +60,8 @@ const LETTERS: &[u8] = b"GMTHDSFPXYZ";
 /// Letters of other axes.
 const MORE_AXES: &[u8] = b"ABCUVW";
 
-/// M codes that are harmless on every control, with those of the spindle and the tool change.
-const HARMLESS: [f64; 7] = [0.0, 1.0, 3.0, 4.0, 5.0, 6.0, 9.0];
+/// Codes without a row of their own that are harmless on every control.
+const HARMLESS: [&str; 5] = ["M0", "M1", "M9", "G40", "G80"];
 
 /// Words at the beginning of a line that decides the way, or calls something at every later move.
 const DECIDING: [&str; 13] = [
@@ -73,7 +74,8 @@ fn word_address(state: &mut State<'_>, line: &str, family: Family) -> Judged {
     let sign = if family == Family::Iso { b'(' } else { b';' };
     let (code, comment) = split_comment(line, sign).map_err(|why| *why)?;
     check_comment(post, comment)?;
-    if line.contains(['%', '?', '!', '~']) {
+    let sent = !post.dialect.capitals && line.contains(['?', '!', '~']);
+    if family == Family::Iso && (sent || line.contains('%')) {
         return Err(text!(
             "%, ?, ! and ~ have a meaning for the control or its sender"
         ));
@@ -83,18 +85,25 @@ fn word_address(state: &mut State<'_>, line: &str, family: Family) -> Judged {
     if prefix.skips || prefix.number.is_some() || is_deciding(&code, family) {
         return Err(decides());
     }
+    // The call of an O word is not followed.
+    if !post.dialect.capitals && family == Family::Iso && code.starts_with('O') {
+        return Ok(false);
+    }
     if FRAMES.iter().any(|frame| code.starts_with(frame)) || code.starts_with("CYCLE800") {
         let ends = FRAMES.contains(&code.as_str()) || code == "CYCLE800()";
         return if ends { Ok(false) } else { Err(transforms()) };
     }
     let supa = family == Family::Sinumerik && code.contains("SUPA");
     let code = if supa { code.replace("SUPA", "") } else { code };
-    let (code, assigned) = without_assigned(&code)?;
+    let (code, assigned) = without_assigned(state, &code)?;
     let block = Block::of(&code, family);
     if [b'N', b'O'].iter().any(|letter| block.has(*letter)) || is_split(&code) {
         return Err(decides());
     }
-    let rest = block.letters().all(|letter| LETTERS.contains(&letter));
+    let rest = block.letters().all(|letter| {
+        let count = block.letters().filter(|own| *own == letter).count();
+        LETTERS.contains(&letter) && (count == 1 || matches!(letter, b'G' | b'M'))
+    });
     let mut known = rest && assigned && is_words(&code);
     if block.letters().any(|letter| MORE_AXES.contains(&letter)) {
         state.may_move()?;
@@ -131,8 +140,10 @@ fn codes(state: &mut State<'_>, block: &Block, mut coordinates: Coordinates) -> 
             _ => {}
         }
     }
-    // `G4 X1.` waits; with a motion code the block moves as well.
-    let waits = block.does(|effect| effect == Effect::Dwell);
+    // `G4 X1.` waits on a Fanuc and its kin; any other axis word moves.
+    let waits = block.does(|effect| effect == Effect::Dwell)
+        && post.dialect.capitals
+        && ![b'Y', b'Z'].iter().any(|axis| block.has(*axis));
     if position && (motion || !waits) {
         let axes = [b'X', b'Y', b'Z'].map(|axis| {
             let number = || block.number(axis).unwrap_or(f64::NAN);
@@ -141,6 +152,11 @@ fn codes(state: &mut State<'_>, block: &Block, mut coordinates: Coordinates) -> 
         let others = block.letters().any(|letter| MORE_AXES.contains(&letter));
         known &= match coordinates {
             Coordinates::Home if others || post.family == Family::Sinumerik => false,
+            // A stored position, or the second reference point, need not be the top.
+            Coordinates::Home if !post.dialect.capitals || !block.does_code("G28") => {
+                state.moves(axes, state.is_incremental(), coordinates)?;
+                false
+            }
             _ => state.moves(axes, state.is_incremental(), coordinates)?,
         };
     }
@@ -217,7 +233,6 @@ fn effect_of(state: &mut State<'_>, block: &Block, effect: Effect, code: &str) -
     match effect {
         Effect::Motion(Motion::Rapid | Motion::Straight)
         | Effect::Dwell
-        | Effect::CycleEnds
         | Effect::Machine
         | Effect::Home
         | Effect::Turn(false)
@@ -226,8 +241,17 @@ fn effect_of(state: &mut State<'_>, block: &Block, effect: Effect, code: &str) -
         Effect::Metric(metric) => state.mode(Mode::Units, metric == (request.scale == 1.0), code),
         Effect::Absolute(absolute) => state.mode(Mode::Distance, absolute, code),
         Effect::PerMinute(per_minute) => state.mode(Mode::Feed, per_minute, code),
-        Effect::Spindle(on) => state.mode(Mode::Spindle, !on, code),
-        Effect::Length(on) if ["G43", "G49"].contains(&code) => state.length(on, code)?,
+        Effect::Spindle(true) => return Err(spindle()),
+        // M5 may release an oriented spindle.
+        Effect::Spindle(false) => return Ok(state.may_release_spindle()),
+        Effect::Length(on) => {
+            state.length(on, code)?;
+            return Ok(["G43", "G49"].contains(&code));
+        }
+        Effect::LengthGiven { .. } => {
+            state.length(true, code)?;
+            return Ok(false);
+        }
         Effect::Tool => state.tool(None)?,
         // Other controls use these numbers for other things.
         Effect::Offset(_)
@@ -239,25 +263,25 @@ fn effect_of(state: &mut State<'_>, block: &Block, effect: Effect, code: &str) -
         Effect::Offset(_) | Effect::OffsetOf(_) => state.offset()?,
         Effect::Call(97) | Effect::Return | Effect::End => return Err(decides()),
         Effect::Macro { .. } if code.starts_with("G66") => return Err(moves_otherwise()),
-        Effect::Motion(_)
-        | Effect::Once(_)
-        | Effect::Contact(_)
-        | Effect::Cycle
-        | Effect::ThereAndBack => return Err(moves_otherwise()),
+        Effect::Motion(_) | Effect::Once(_) | Effect::Cycle | Effect::ThereAndBack => {
+            return Err(moves_otherwise());
+        }
         Effect::Setting => return Err(writes()),
         Effect::Shift(_) if block.is_at_zero() && block.has_axes() => return Ok(false),
         Effect::Shift(_) | Effect::Turn(true) | Effect::Polar(true) | Effect::Transform { .. } => {
             return Err(transforms());
         }
-        Effect::Keep { .. } | Effect::Forget | Effect::GiveBack => {
-            return Err(text!("The program itself saves and restores the modes"));
+        // Codes of LinuxCNC, and the look-ahead of a Haas.
+        Effect::Keep { .. } | Effect::Forget | Effect::GiveBack
+            if !request.post.dialect.capitals =>
+        {
+            return Err(text!("The program itself sets and restores this mode"));
         }
-        _ if code.starts_with('M') => {
-            let number = block.number(b'M');
-            return Ok(number.is_some_and(|number| HARMLESS.contains(&number)));
+        Effect::Ahead => return Err(text!("The program itself sets and restores this mode")),
+        Effect::Pause if state.is_before_write() => {
+            return Err(text!("Set control.ask for a stop before the write"));
         }
-        Effect::Exact(_) | Effect::Nothing => {}
-        _ => return Ok(false),
+        _ => return Ok(HARMLESS.contains(&code)),
     }
     Ok(true)
 }
@@ -272,7 +296,7 @@ fn is_deciding(code: &str, family: Family) -> bool {
     let length = code
         .find(|c: char| !c.is_ascii_alphabetic())
         .unwrap_or(code.len());
-    let is_label = family == Family::Iso && code.starts_with('O') && !code.contains(" CALL");
+    let is_label = family == Family::Iso && code.starts_with('O') && !code.contains("CALL");
     is_label
         || DECIDING.contains(&&code[..length])
         || code.starts_with("END")
@@ -290,25 +314,41 @@ fn is_split(code: &str) -> bool {
         .any(|words| words[0].ends_with(is_number) && words[1].starts_with(is_number))
 }
 
-/// A code without its words like `T="PROBE"` and `SPOS=90`, and whether it had only such. Assigned variables are refused.
-fn without_assigned(code: &str) -> Result<(String, bool), Text> {
+/// A code with `X5` in place of `X=5`, without other words like `T="PROBE"` and `SPOS=90`, and whether it had only a tool among them. Assigned variables are
+/// refused.
+fn without_assigned(state: &mut State<'_>, code: &str) -> Result<(String, bool), Text> {
     let (mut rest, mut only) = (code.to_owned(), true);
     while let Some(at) = rest.find('=') {
         let is_name = |c: char| c.is_ascii_alphanumeric() || "_$#[]<>,".contains(c);
         let begin = rest[..at].trim_end_matches(is_name).len();
-        let name = &rest[begin..at];
-        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let known = ["T", "SPOS"].contains(&name);
-        let address = letters.len() == 1 && letters != "R" && letters != "Q" && letters != "#";
-        let setting = ["ADIS", "FP"].contains(&name) || name.starts_with("SPOS");
-        if !(known || address || setting) {
-            return Err(assigns());
-        }
-        only &= known;
-        let value = rest[at + 1..]
+        let end = rest[at + 1..]
             .find(' ')
             .map_or(rest.len(), |end| at + 1 + end);
-        rest.replace_range(begin..value, "");
+        let (name, value) = (rest[begin..at].to_owned(), rest[at + 1..end].to_owned());
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let address = letters.len() == 1 && !["R", "Q", "#"].contains(&letters);
+        let setting = ["ADIS", "FP", "HP"].contains(&name.as_str())
+            || name.starts_with("SPOS")
+            || name.starts_with("$A_");
+        if !(address || setting) {
+            return Err(assigns());
+        }
+        if name == "T" {
+            state.tool(crate::num::read(&value))?;
+            rest.replace_range(begin..end, "");
+        } else {
+            only = false;
+            if name.starts_with("SPOS") {
+                state.may_move()?;
+            }
+            let is_word = letters == name && address;
+            let word = if is_word {
+                format!("{name}{value}")
+            } else {
+                String::new()
+            };
+            rest.replace_range(begin..end, &word);
+        }
     }
     Ok((rest, only))
 }

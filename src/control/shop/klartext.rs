@@ -1,9 +1,10 @@
 //! The shop's lines in a HEIDENHAIN program.
 
 use super::state::{
-    Coordinates, Judged, Mode, State, assigns, decides, moves_otherwise, transforms, writes,
+    Coordinates, Judged, State, assigns, decides, moves_otherwise, spindle, transforms, writes,
 };
 use crate::control::heidenhain::read::{moves, transforms as changes};
+use crate::geom::AXIS_NAMES;
 
 /// Judges a line of Klartext.
 pub fn judge(state: &mut State<'_>, line: &str) -> Judged {
@@ -21,10 +22,6 @@ pub fn judge(state: &mut State<'_>, line: &str) -> Judged {
             state.offset()?;
             Ok(false)
         }
-        [
-            "CYCL" | "PLANE" | "TRANS" | "FUNCTION" | "PRESET" | "BLK",
-            ..,
-        ] => Err(transforms()),
         ["TCH", ..] => Err(moves_otherwise()),
         [first, ..] if first.starts_with("FN") => assignment(code),
         [first, ..] if first.starts_with('Q') || code.contains('=') => Err(assigns()),
@@ -33,7 +30,7 @@ pub fn judge(state: &mut State<'_>, line: &str) -> Judged {
         }
         _ if words.iter().all(|word| word.starts_with('M')) => codes(state, &words),
         ["CALL", ..] => Ok(false),
-        _ if changes(&words).is_some() => Err(transforms()),
+        _ if changes(&words).is_some_and(|(_, begins)| begins) => Err(transforms()),
         _ if moves(&words) => Err(moves_otherwise()),
         _ => Ok(false),
     }
@@ -55,6 +52,13 @@ fn assignment(code: &str) -> Judged {
 fn tool_call(state: &mut State<'_>, words: &[&str]) -> Judged {
     let tool = words.first().and_then(|word| crate::num::read(word));
     state.tool(tool)?;
+    let axis = AXIS_NAMES[state.request.plane.axes()[2]];
+    if words
+        .iter()
+        .any(|word| AXIS_NAMES.contains(word) && *word != axis)
+    {
+        return Err(transforms());
+    }
     if words
         .iter()
         .any(|word| word.starts_with("DL") || word.starts_with("DR"))
@@ -86,6 +90,8 @@ fn straight(state: &mut State<'_>, words: &[&str]) -> Judged {
             incremental |= is_incremental;
         } else if word == "M91" || word == "M92" {
             coordinates = Coordinates::Machine;
+            // The machine builder's datum need not be the top.
+            known &= word == "M91";
         } else if word == "M140" {
             // `M140 MB MAX` retracts along the tool axis.
             known &=
@@ -110,11 +116,8 @@ fn codes(state: &mut State<'_>, words: &[&str]) -> Judged {
     for word in words {
         match *word {
             "M2" | "M02" | "M30" | "M89" | "M99" => return Err(decides()),
-            "M3" | "M03" | "M4" | "M04" | "M13" | "M14" => {
-                state.mode(Mode::Spindle, false, word);
-            }
-            "M5" | "M05" => state.mode(Mode::Spindle, true, word),
-            "M0" | "M00" | "M1" | "M01" | "M9" | "M09" => {}
+            "M3" | "M03" | "M4" | "M04" | "M13" | "M14" => return Err(spindle()),
+            "M5" | "M05" | "M0" | "M00" | "M1" | "M01" | "M9" | "M09" => {}
             "M6" | "M06" => state.tool(None)?,
             _ => known = false,
         }

@@ -188,7 +188,14 @@ fn check_place(request: &Request<'_>, place: &Place, checker: &mut Checker) {
     }
 }
 
-/// A program with blank lines in place of the shop's lines. Only the lines of this request are removed, below their comments: others are read like any line.
+/// Words of a block that probes, on the controls whose programs are read back.
+const PROBING: [&str; 3] = ["G38.", "G31", "MEAS="];
+
+/// Beginnings of the block after the lines of an alarm.
+const ALARMS: [&str; 3] = ["M66", "SETAL", "#3000="];
+
+/// A program with blank lines in place of the shop's lines. Only the lines of this request are removed, below their comments and on
+/// their side of the touches: others are read like any line.
 pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
     if request.shop.0.is_empty() {
         return Cow::Borrowed(text);
@@ -214,17 +221,33 @@ pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
         let line = all.get(at).map_or("", |line| line.trim());
         if numbered { without_count(line) } else { line }
     };
+    // LinuxCNC's subprograms probe above the first move.
+    let body = (0..all.len())
+        .rfind(|at| code(*at).ends_with("endsub"))
+        .unwrap_or(0);
+    let probes = |at: &usize| {
+        let code = code(*at);
+        !code.starts_with(['(', ';']) && PROBING.iter().any(|word| code.contains(word))
+    };
+    let first = (body..all.len()).find(probes).unwrap_or(all.len());
+    let last = (body..all.len()).rfind(probes).unwrap_or(0);
     let mut blank = vec![false; all.len()];
     for (place, heading, lines) in &own {
+        let is_alarm = place.key == ON_ALARM.key;
         for at in 0..all.len() {
             let below = at + 1..at + 1 + lines.len();
             let is_own =
                 code(at) == heading && below.clone().zip(lines).all(|(at, line)| code(at) == line);
-            if is_own {
+            let fits = match place.before {
+                _ if is_alarm => ALARMS.iter().any(|word| code(below.end).starts_with(word)),
+                true => below.end <= first,
+                false => at > last,
+            };
+            if is_own && fits {
                 blank[below].fill(true);
             }
             // Every exit has those of an alarm.
-            if is_own && place.key != ON_ALARM.key {
+            if is_own && !is_alarm {
                 break;
             }
         }

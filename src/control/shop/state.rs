@@ -1,6 +1,6 @@
 //! The state of the control after some lines of the shop.
 
-use super::place::{FOOT, Place};
+use super::place::{BEFORE_WRITE, FOOT, Place};
 use crate::control::Request;
 use crate::control::iso::codes::Family;
 use crate::control::iso::writer::number;
@@ -24,7 +24,6 @@ pub enum Mode {
     Plane,
     Units,
     Length,
-    Spindle,
 }
 
 /// The state after some lines of a place.
@@ -36,8 +35,10 @@ pub struct State<'a> {
     pub index: usize,
     /// Whether a line has moved along the tool axis in machine coordinates.
     raised: bool,
-    /// Whether a line has selected a work offset.
-    selected: bool,
+    /// Whether positions differ from those of the program: by another tool, length or work offset.
+    changed: bool,
+    /// Whether a line may have moved in the plane.
+    across: bool,
     /// Modes that differ from those of the program, with the index of the line and its code.
     pub left: Vec<(Mode, usize, String)>,
 }
@@ -52,7 +53,8 @@ impl<'a> State<'a> {
             place,
             index: 0,
             raised: false,
-            selected: false,
+            changed: false,
+            across: false,
             left: Vec::new(),
         }
     }
@@ -76,7 +78,6 @@ impl<'a> State<'a> {
             Mode::Units => dialect.units.1,
             Mode::Length if self.request.post.family == Family::Sinumerik => "D1",
             Mode::Length => "G43",
-            Mode::Spindle => "M5",
         };
         code.to_owned()
     }
@@ -135,6 +136,7 @@ impl<'a> State<'a> {
             ));
         }
         self.raised |= axes[tool].is_some();
+        self.across |= across;
         Ok(!across && at_zero)
     }
 
@@ -147,11 +149,9 @@ impl<'a> State<'a> {
 
     /// A move in work coordinates: up by a distance, or to the clearance or higher after the program has stated its modes.
     fn moves_in_work(&self, to: Option<f64>, across: bool, incremental: bool) -> Judged {
-        let changed = self.place.tool && self.place.before
-            || self.selected
-            || [Mode::Units, Mode::Length]
-                .iter()
-                .any(|mode| self.has_left(*mode));
+        // Before the first move the stylus may be over the part.
+        let changed =
+            self.place.before || self.changed || self.across || self.has_left(Mode::Units);
         let lowest = crate::num::read(&height(self.request)).unwrap_or(f64::INFINITY);
         let is_high = match to {
             Some(x) if incremental => x > 0.0,
@@ -162,18 +162,19 @@ impl<'a> State<'a> {
             return Ok(true);
         }
         Err(text!(
-            "In work coordinates only a move along the tool axis is possible: up with G91, or to {height} and higher after the program's modes",
+            "In work coordinates only a move along the tool axis is possible: up with G91, or after the touches to {height} and higher",
             height(self.request)
         ))
     }
 
     /// A tool change, with the number of the tool if it is known.
-    pub fn tool(&self, tool: Option<f64>) -> Result<(), Text> {
+    pub fn tool(&mut self, tool: Option<f64>) -> Result<(), Text> {
         if !self.place.tool {
             return Err(text!(
                 "A tool change must be at the top, at \"probe on\" or at the end"
             ));
         }
+        self.changed = true;
         match (tool, self.request.tool) {
             (Some(own), Some(tool)) if self.place.before && own != f64::from(tool) => {
                 Err(self.other_tool())
@@ -194,13 +195,23 @@ impl<'a> State<'a> {
 
     /// Selects a work offset.
     pub fn offset(&mut self) -> Result<(), Text> {
-        self.selected = true;
+        self.changed = true;
         if self.place.offset {
             return Ok(());
         }
         Err(text!(
             "A work offset must be selected at the top, at \"probe on\" or at the end"
         ))
+    }
+
+    /// Whether M5 changes nothing that the program relies on.
+    pub fn may_release_spindle(&self) -> bool {
+        self.request.orient.is_none() || self.place.tool
+    }
+
+    /// Whether these lines are between the last touch and the write.
+    pub fn is_before_write(&self) -> bool {
+        self.place.key == BEFORE_WRITE.key
     }
 
     /// Activates or deactivates the tool length: before the program's checks, or after its last move.
@@ -210,6 +221,7 @@ impl<'a> State<'a> {
                 "The tool length must not change after the program has checked it"
             ));
         }
+        self.changed = true;
         let is_last = self.place.key == FOOT.key;
         self.mode(Mode::Length, on || is_last, code);
         Ok(())
@@ -224,6 +236,10 @@ pub fn decides() -> Text {
 
 pub fn assigns() -> Text {
     text!("An assignment here could change the results of the program")
+}
+
+pub fn spindle() -> Text {
+    text!("The spindle must not turn with the probe in it")
 }
 
 pub fn writes() -> Text {

@@ -234,6 +234,8 @@ impl Sinumerik<'_> {
         }
         w.line("M0");
         if let Some(count) = count {
+            // Nothing below is read before cycle start.
+            w.line("STOPRE");
             w.line(&format!("R{count}=TP_TOUCHES"));
             w.line("TP_TOUCHES=0");
         }
@@ -242,7 +244,7 @@ impl Sinumerik<'_> {
     /// Deviation of a result from its expected value, and its limit.
     fn deviation(&self, formula: &Formula, check: &ResultCheck) -> (String, String) {
         let unit = if check.angle { 1.0 } else { self.request.scale };
-        let value = print::variable(&self.notation(), formula, check.variable);
+        let value = format!("R{}", self.registers.checked(formula, check));
         let [limit, wanted] = [check.limit, check.expected].map(|x| decimal(x / unit, 12));
         let off = match wanted.strip_prefix('-') {
             _ if wanted == "0" => value,
@@ -920,7 +922,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     if let Some(tool) = request.checked_tool() {
         w.line("TP_PROBE:");
         w.line(&format!(
-            "MSG(\"Another tool is active: the probe is tool {tool}. Nothing has moved\")"
+            "MSG(\"Another tool is active: the probe is tool {tool}\")"
         ));
         stop(w);
     }

@@ -80,6 +80,8 @@ struct State {
     origins: Vec<(Part, f64)>,
     reading: Option<[Option<f64>; 3]>,
     warned: bool,
+    /// Whether the program waits for the operator, and its control may read on.
+    waits: bool,
     /// Whether a motion may still be running when the next block is evaluated.
     ahead: bool,
 }
@@ -102,6 +104,7 @@ impl State {
             reading,
             warned,
             ahead,
+            waits,
         } = self;
         stack.clone_from(&other.stack);
         origins.clone_from(&other.origins);
@@ -115,6 +118,7 @@ impl State {
         (*contact, *deflected, *feed, *modes) =
             (other.contact, other.deflected, other.feed, other.modes);
         (*reading, *warned, *ahead) = (other.reading, other.warned, other.ahead);
+        *waits = other.waits;
     }
 }
 
@@ -460,7 +464,8 @@ impl<'s, 't> Machine<'s, 't> {
             BlockEffect::Wrote(..) => self.script.ahead == LookAhead::ReadsAndActs,
             _ => false,
         };
-        acts && self.state.ahead
+        let written = matches!(flow, BlockEffect::Wrote(..));
+        acts && self.state.ahead || written && self.state.waits
     }
 
     /// Whether a condition is true. One that depends on a variable without a value is unknown.
@@ -479,8 +484,11 @@ impl<'s, 't> Machine<'s, 't> {
     fn carry_out(&mut self, block: &'s Block) -> Result<BlockEffect<'s>, ReadError> {
         match &block.kind {
             BlockKind::Nothing => {}
-            BlockKind::Pause => return Ok(BlockEffect::Pause),
-            BlockKind::Halt => self.state.ahead = false,
+            BlockKind::Pause => {
+                self.state.waits = true;
+                return Ok(BlockEffect::Pause);
+            }
+            BlockKind::Halt => (self.state.ahead, self.state.waits) = (false, false),
             BlockKind::Words(words) => {
                 self.state.modes = self.state.modes.then(words.modes);
                 if words.modes.spindle == Some(true) {
