@@ -31,6 +31,16 @@ fn before_the_write(plan: &Plan) -> String {
     text[touch.expect("it touches")..write].to_owned()
 }
 
+/// A simulated Fanuc or Haas above the part, at the touches of the virtual part.
+fn control(post: &str, plan: &Plan) -> Control {
+    let mut control = Control::new(post == "haas", false);
+    control.at = [0.0, 0.0, 200.0];
+    control.contacts = plan.triggers.iter().flatten().copied().collect();
+    let origins = (5221..5224).map(|origin| (origin, 0.0));
+    control.variables.extend(origins);
+    control
+}
+
 /// The simulated controls, at the touches of the virtual part. Number of waits, and whether a work offset was written.
 fn run(post: &str, plan: &Plan, text: &str) -> (usize, bool) {
     if post == "sinumerik" {
@@ -40,12 +50,7 @@ fn run(post: &str, plan: &Plan, text: &str) -> (usize, bool) {
             .expect("it runs");
         return (machine.waits, machine.writes > 0);
     }
-    let mut control = Control::new(post == "haas", false);
-    control.at = [0.0, 0.0, 200.0];
-    control.contacts = plan.triggers.iter().flatten().copied().collect();
-    control
-        .variables
-        .extend((5221..5224).map(|origin| (origin, 0.0)));
+    let mut control = control(post, plan);
     control
         .run(text)
         .unwrap_or_else(|why| panic!("{post}: {why}\n{text}"));
@@ -155,12 +160,7 @@ fn a_reset_at_the_question_leaves_everything_as_it_was() {
             .iter()
             .position(|line| *line == "M0")
             .expect("it waits");
-        let mut control = Control::new(post == "haas", false);
-        control.at = [0.0, 0.0, 200.0];
-        control.contacts = plan.triggers.iter().flatten().copied().collect();
-        control
-            .variables
-            .extend((5221..5224).map(|origin| (origin, 0.0)));
+        let mut control = control(post, &plan);
         let mut until = lines[..waits].to_vec();
         until.push("M30");
         until.extend(&lines[waits..]);

@@ -194,27 +194,27 @@ const PROBING: [&str; 3] = ["G38.", "G31", "MEAS="];
 /// Beginnings of the block after the lines of an alarm.
 const ALARMS: [&str; 3] = ["M66", "SETAL", "#3000="];
 
-/// A program with blank lines in place of the shop's lines. Only the lines of this request are removed, below their comments and on
-/// their side of the touches: others are read like any line.
+/// Each used place with the comment above its lines, and its lines.
+fn headed(request: &Request<'_>) -> Vec<(&'static Place, String, Vec<String>)> {
+    let capitals = request.post.dialect.capitals;
+    let (open, close) = request.post.dialect.comment;
+    let own = |place: &&'static Place| {
+        let lines = lines(request, place);
+        let mut heading = heading(request, place, &lines);
+        if capitals {
+            heading.make_ascii_uppercase();
+        }
+        (!lines.is_empty()).then(|| (*place, format!("{open}{heading}{close}"), lines))
+    };
+    PLACES.iter().filter_map(own).collect()
+}
+
+/// A program with blank lines in place of the shop's lines. Only the lines of this request are removed, below their comments and on their side of the touches:
+/// others are read like any line.
 pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
     if request.shop.0.is_empty() {
         return Cow::Borrowed(text);
     }
-    let capitals = request.post.dialect.capitals;
-    let (open, close) = request.post.dialect.comment;
-    let own: Vec<(&Place, String, Vec<String>)> = PLACES
-        .iter()
-        .filter_map(|place| {
-            let lines = lines(request, place);
-            let heading = heading(request, place, &lines);
-            let heading = if capitals {
-                heading.to_ascii_uppercase()
-            } else {
-                heading
-            };
-            (!lines.is_empty()).then(|| (*place, format!("{open}{heading}{close}"), lines))
-        })
-        .collect();
     let all: Vec<&str> = lines_of(text).collect();
     let numbered = request.post.dialect.numbered;
     let code = |at: usize| {
@@ -232,7 +232,7 @@ pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
     let first = (body..all.len()).find(probes).unwrap_or(all.len());
     let last = (body..all.len()).rfind(probes).unwrap_or(0);
     let mut blank = vec![false; all.len()];
-    for (place, heading, lines) in &own {
+    for (place, heading, lines) in &headed(request) {
         let is_alarm = place.key == ON_ALARM.key;
         for at in 0..all.len() {
             let below = at + 1..at + 1 + lines.len();
@@ -252,10 +252,7 @@ pub fn without_lines<'t>(request: &Request<'_>, text: &'t str) -> Cow<'t, str> {
             }
         }
     }
-    let mut out = String::with_capacity(text.len());
-    for (line, blank) in all.iter().zip(blank) {
-        out.push_str(if blank { "" } else { line });
-        out.push('\n');
-    }
-    Cow::Owned(out)
+    let lines = all.iter().zip(blank);
+    let kept = lines.flat_map(|(line, blank)| [if blank { "" } else { line }, "\n"]);
+    Cow::Owned(kept.collect())
 }

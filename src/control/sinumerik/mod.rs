@@ -901,43 +901,39 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
 fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     w.line("M30");
     exits(w, request, count);
-    for (label, message) in [
-        (
-            "TP_UNITS",
-            "The basic system of the control has other units than this program. Nothing has moved",
-        ),
-        (
-            "TP_DEFLECTED",
-            "The probe is deflected before the start. Nothing has moved",
-        ),
-        (
-            "TP_TOOL",
-            "No tool offset is active (D0): the length of the probe is unknown. Nothing has moved",
-        ),
-    ] {
+    // Lines of the shop before the checks may have moved.
+    let unmoved = match request.shop.0.is_empty() {
+        true => ". Nothing has moved",
+        false => "",
+    };
+    let mut exit = |label: &str, message: &str| {
         w.line(&format!("{label}:"));
-        w.line(&format!("MSG(\"{message}\")"));
+        w.line(&format!("MSG(\"{message}{unmoved}\")"));
         stop(w);
-    }
+    };
+    exit(
+        "TP_UNITS",
+        "The basic system of the control has other units than this program",
+    );
+    exit("TP_DEFLECTED", "The probe is deflected before the start");
+    exit(
+        "TP_TOOL",
+        "No tool offset is active (D0): the length of the probe is unknown",
+    );
     if let Some(tool) = request.checked_tool() {
-        w.line("TP_PROBE:");
-        w.line(&format!(
-            "MSG(\"Another tool is active: the probe is tool {tool}\")"
-        ));
-        stop(w);
+        let message = format!("Another tool is active: the probe is tool {tool}");
+        exit("TP_PROBE", &message);
     }
     let frame = match (request.work_offset, request.form) {
-        (None, _) => "A programmed turn, mirror or scale is active. Nothing has moved",
+        (None, _) => "A programmed turn, mirror or scale is active",
         (Some(_), ProgramForm::Moves) => {
-            "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
+            "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it"
         }
         (Some(_), ProgramForm::Cycle) => {
-            "The work offset has a fine part, which the cycle does not correct. Nothing has moved"
+            "The work offset has a fine part, which the cycle does not correct"
         }
     };
-    w.line("TP_FRAME:");
-    w.line(&format!("MSG(\"{frame}\")"));
-    stop(w);
+    exit("TP_FRAME", frame);
 }
 
 /// Prints expressions over these registers.
