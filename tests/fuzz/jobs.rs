@@ -1,6 +1,6 @@
 //! Whole jobs, and the laws that each must satisfy.
 
-use crate::common::{import, values};
+use crate::common::{import, values, with};
 use touchpath::describe::{
     Catalog, CycleEntry, DefaultEntry, FieldEntry, PostEntry, RelationEntry, export_table,
 };
@@ -92,11 +92,43 @@ fn value(draw: &mut Draw, field: &FieldEntry, scale: f64) -> Value {
                 .map(|_| Value::Number(draw.between(-200.0, 200.0).round() / scale))
                 .collect(),
         ),
+        "lines" if !draw.once_in(4) => Value::Null,
+        "lines" => lines(draw, field),
         kind => panic!(
             "{} is of a kind that the fuzzer does not know: {kind}",
             field.key
         ),
     }
+}
+
+/// Lines of a shop: most are possible on every control, a few on none.
+fn lines(draw: &mut Draw, field: &FieldEntry) -> Value {
+    const USUAL: [&str; 8] = ["M0", "M5", "M59 P3", "M1", "", "M9", " M5 ", "m0"];
+    const HOSTILE: [&str; 10] = [
+        "M30",
+        "G10 L2 P1 X0",
+        "x)\nG0 Z-9",
+        "é",
+        "{tol}",
+        "N10",
+        "#100=1",
+        "R1=0",
+        "%",
+        "(a) (b",
+    ];
+    let mut places = Vec::new();
+    for place in &field.choices {
+        let count = draw.index(4);
+        let mut own = Vec::new();
+        for _ in 0..count {
+            let hostile = draw.once_in(60);
+            own.push(text(draw.word(if hostile { &HOSTILE } else { &USUAL })));
+        }
+        if let DefaultEntry::Text(key) = place.value {
+            places.push((key.to_owned(), Value::List(own)));
+        }
+    }
+    Value::Map(places)
 }
 
 /// Whether a number changes with the units.
@@ -838,6 +870,29 @@ fn word(job: &Value, path: &[&str]) -> String {
     }
 }
 
+/// The job and its plan without lines of a shop, if it has some: they change no move, and come back from the header. The judges know no code of a shop.
+fn without_lines(job: &Value, plan: &Plan) -> Result<Option<(Value, Plan)>, String> {
+    let frame = |job: &Value| job.get("machine")?.get("frame").cloned();
+    let Some(lines) = frame(job).filter(|lines| *lines != Value::Null) else {
+        return Ok(None);
+    };
+    let bare = with(job, "machine.frame", Value::Null);
+    let without = touchpath::job::plan(&bare).map_err(|error| error.to_string())?;
+    if without.moves != plan.moves {
+        return Err("lines of the shop change the moves".to_owned());
+    }
+    if word(job, &["control", "header"]) != "short"
+        && !matches!(&lines, Value::Map(places) if places.is_empty())
+        && import(&plan.program.text)
+            .ok()
+            .and_then(|read| frame(&read.job))
+            != Some(lines)
+    {
+        return Err("lines of the shop do not come back from the header".to_owned());
+    }
+    Ok(Some((bare, without)))
+}
+
 /// All laws of a job.
 pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), String> {
     let mut asked = |name: &str| *tally.entry(name.to_owned()).or_insert(0) += 1;
@@ -864,6 +919,14 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
                 Err("refused without an error".to_owned())
             };
         }
+    };
+    let bare = without_lines(job, &plan)?;
+    let (job, plan) = match &bare {
+        Some((job, bare)) => {
+            asked("lines of a shop");
+            (job, bare.clone())
+        }
+        None => (job, plan),
     };
     let tool_axis = match word(job, &["plane"]).as_str() {
         "G18" => 1,
