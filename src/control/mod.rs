@@ -435,21 +435,22 @@ impl Request<'_> {
         }
     }
 
-    /// Checks of the results before the program waits for the operator; `None` if it does not wait, and no checks if it always does.
-    pub fn asks(&self) -> Option<Vec<ResultCheck>> {
-        if !self.writes_offset() || self.form == ProgramForm::Cycle {
-            return None;
-        }
-        match self.ask {
-            Ask::Never => None,
-            Ask::Always => Some(Vec::new()),
-            Ask::Outside => Some(self.path.formula.tolerance_checks().collect()),
-        }
+    /// Whether the program may wait for the operator before it writes.
+    pub fn asks(&self) -> bool {
+        self.ask != Ask::Never && self.form == ProgramForm::Moves && self.writes_offset()
     }
 
-    /// Whether the program always shows the results before it writes.
+    /// Whether it always waits.
     pub fn always_asks(&self) -> bool {
-        self.asks().is_some_and(|checks| checks.is_empty())
+        self.asks() && self.ask == Ask::Always
+    }
+
+    /// Checks of the results: it waits if one of them fails. Empty if it always waits.
+    pub fn ask_checks(&self) -> Vec<ResultCheck> {
+        match self.ask {
+            Ask::Outside => self.path.formula.tolerance_checks().collect(),
+            Ask::Never | Ask::Always => Vec::new(),
+        }
     }
 
     /// Whether the program is read back and traced. A program of native calls is, if the cycles allow it.

@@ -197,8 +197,8 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
         && datum.writes()
     {
-        if let Some(checks) = request.asks() {
-            hooks.ask(w, formula, &checks);
+        if request.asks() {
+            hooks.ask(w, formula, &request.ask_checks());
         }
         w.shop(&place::BEFORE_WRITE);
         hooks.write(w, formula, number, datum);

@@ -221,8 +221,8 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: ASKED,
-        requirement: "The program waits for the operator before it writes a work offset, if the job says so",
-        why: "A value that nobody has seen would be written.",
+        requirement: "If the job asks for it, the program waits for the operator before it writes a work offset",
+        why: "The program would write a value that the operator has not seen.",
         mandatory: true,
         own_cycle: true,
         about: Scope::Writes,
@@ -300,7 +300,7 @@ pub fn check(
         .iter()
         .any(|question| question.asked != CheckKind::Plausibility);
     let follows = !request.path.shifts.is_empty();
-    let asks = request.asks().is_some();
+    let asks = request.asks();
     // Rules that no job asks for are not reported.
     let asked = |rule: &&Rule| match rule.name {
         TOLERANCE => tolerates,
@@ -946,7 +946,7 @@ fn asked_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
     // The other results have their expected values.
     let others = case.request.questions();
     let own = others.len();
-    let wanted = case.request.asks().unwrap_or_default();
+    let wanted = case.request.ask_checks();
     let always = wanted.is_empty();
     let checks = others.into_iter().chain(wanted).collect();
     let asked = match answers(case, checks, Some(write.line)) {
@@ -961,7 +961,8 @@ fn asked_before_write(case: &RuleContext<'_>) -> Vec<Violation> {
             false => text!("The program waits although every result is within its tolerance"),
         });
     }
-    for (i, answer) in asked.iter().enumerate().skip(own) {
+    let tolerated = asked.iter().enumerate().filter(|(i, _)| *i >= own);
+    for (i, answer) in tolerated {
         for (share, out) in [(-1.01, true), (1.01, true), (-0.99, false), (0.99, false)] {
             let outcome = outcome(&mut endings, &asked, Some(i), share);
             if outcome.writes && outcome.asks != out {

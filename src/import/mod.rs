@@ -115,7 +115,7 @@ fn refused_as_too_long(message: Text) -> JobError {
 pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobError> {
     check_length(text)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    // An inserted program is restored and read alone.
+    // An inserted program is restored, and read without the rest of the text.
     let alone = inside::alone(text);
     let text = alone.as_deref().unwrap_or(text);
     if let Some(json) = json.filter(|json| matches!(json, Value::Map(_) | Value::List(_))) {

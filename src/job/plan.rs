@@ -561,7 +561,7 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
             text!("The program writes no work offset: it does not ask"),
         );
     }
-    if request.ask == Ask::Outside && request.always_asks() {
+    if request.asks() && request.ask == Ask::Outside && request.ask_checks().is_empty() {
         checker.error(
             "ask-unsupported",
             "control.ask",

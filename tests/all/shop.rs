@@ -51,7 +51,7 @@ fn found(job: &Value) -> Vec<Finding> {
         .collect()
 }
 
-/// A line that every control has: a stop, and a comment of its own.
+/// Lines that every control has: a comment with the place, and a stop.
 fn marked(post: &str, place: &str) -> Vec<String> {
     let comment = match post {
         "heidenhain" | "sinumerik" => format!("; at {place}"),
@@ -167,15 +167,12 @@ fn lines_change_nothing_else() {
     assert!(counted > 350, "{counted}");
 }
 
-/// LinuxCNC's interpreter accepts the usual lines, and the touches are those of the program without them.
+/// LinuxCNC's interpreter runs the lines of every place, and the usual ones with a tool of its table. The touches are those of the program without them.
 #[test]
-fn the_usual_lines_run() {
-    let linuxcnc = POSTS
-        .iter()
-        .find(|post| post.key == "linuxcnc")
-        .expect("a control");
+fn lines_of_the_shop_run_on_linuxcnc() {
     let job = with(&bore("linuxcnc"), "control.workOffset", number(2.0));
-    // The interpreter has no table of tools.
+    // The table of the interpreter has tool 1.
+    let first_tool = with(&job, "control.tool", number(1.0));
     let job = with(&job, "control.tool", Value::Null);
     let lines = [
         ("head", &["G53 G0 {axis}90", "M0"][..]),
@@ -184,7 +181,8 @@ fn the_usual_lines_run() {
         ("probeOff", &["M64 P0"]),
         ("foot", &["G53 G0 Z0"]),
     ];
-    let with = interpret(&on_virtual_part(&planned(&with_lines(&job, &lines)))).expect("it runs");
+    let given = planned(&with_lines(&job, &lines));
+    let with = interpret(&on_virtual_part(&given)).expect("it runs");
     let without = interpret(&on_virtual_part(&planned(&job))).expect("it runs");
     let touches = |ran: &crate::common::Interpreted| {
         let probes = ran.moves.iter().filter(|step| step.kind == "probe");
@@ -196,7 +194,13 @@ fn the_usual_lines_run() {
         with.offsets_after_moves.last(),
         without.offsets_after_moves.last()
     );
-    assert_eq!(linuxcnc.usual_lines.len(), 2);
+    let linuxcnc = POSTS.iter().find(|post| post.key == "linuxcnc");
+    let usual = with_lines(&first_tool, linuxcnc.expect("a control").usual_lines);
+    let ran = interpret(&on_virtual_part(&planned(&usual))).expect("it runs");
+    assert_eq!(
+        ran.offsets_after_moves.last(),
+        without.offsets_after_moves.last()
+    );
 }
 
 /// The usual lines of every control are understood, with the job's tool and tool axis.
@@ -408,7 +412,7 @@ fn usual_lines_are_accepted() {
     }
 }
 
-/// What is not understood is named, in the job and in the program.
+/// Lines that are not understood are listed in a finding and marked in the program.
 #[test]
 fn lines_that_are_not_understood_are_named() {
     for (post, own, mark) in [
@@ -477,7 +481,7 @@ fn lines_that_are_not_understood_are_named() {
     }
 }
 
-/// Places that a program does not have: the lines are not in it, and a finding says so.
+/// Lines at a place that the program does not have are left out, and a finding reports them.
 #[test]
 fn unused_places_are_reported() {
     for (post, place) in [
@@ -677,7 +681,7 @@ fn the_tool_of_the_probe_is_checked() {
     interpret(&on_virtual_part(&planned(&called))).expect("it runs");
 }
 
-/// A program that neither calls nor checks the tool says so, unless a line of the shop calls it.
+/// A program that neither calls nor checks the tool has a finding, unless a line of the shop calls it.
 #[test]
 fn an_unused_tool_is_reported() {
     let is_unused = |job: &Value| {

@@ -310,7 +310,7 @@ export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
 
 /**
  * Inserts the program of a job into another program after `line` (0-based), or after the tool change of the probe. The other lines stay as they are. An earlier
- * inserted program of the same name is replaced. The result is read back: the inserted lines must be the job's program and probe as they do alone. Throws
+ * inserted program of the same name is replaced. The result is read back: the inserted lines must be the job's program and make its touches. Throws
  * `JobError` if no place is found, or if something would go wrong there.
  */
 export function insertProgram(

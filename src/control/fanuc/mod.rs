@@ -8,7 +8,8 @@
 //! move with a known end in Z shows which case it is. A macro statement is evaluated while the motion before it still runs: a block separates the two.
 //!
 //! Ours, and marked [I] in the docs: the comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not verified on a control
-//! [R]: the modal values #4006, #4011, #4016 and #4120 for units, scaling, rotation and the last T word, #3026 for the tool in the spindle of a Haas, IF … THEN, common variables up to #149, #5221… as the origin that a program
+//! [R]: the modal values #4006, #4011, #4016 and #4120 for units, scaling, rotation and the last T word, #3026 for the tool in the
+//! spindle of a Haas, IF … THEN, common variables up to #149, #5221… as the origin that a program
 //! may write.
 
 mod check;

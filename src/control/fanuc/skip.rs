@@ -316,6 +316,9 @@ impl Moves for SkipWriter<'_> {
         ) {
             w.comment(&line);
         }
+        if self.waits() {
+            w.comment("#1 holds the number of touches while the program waits");
+        }
         w.says_job();
         w.shop(&place::HEAD);
         w.shop(&place::PROBE_ON);
@@ -673,6 +676,13 @@ impl SkipWriter<'_> {
             text => format!("{}-{text}", variable(register)),
         };
         (off, limit)
+    }
+
+    /// Whether a program that writes waits for the operator before the write.
+    fn waits(&self) -> bool {
+        let marks = |check: &ResultCheck| check.asked == CheckKind::MarkTolerance;
+        let request = self.request;
+        request.writes_offset() && (request.asks() || request.questions().iter().any(marks))
     }
 
     /// Waits for the operator. The count of touches is in a local variable meanwhile, which a reset clears: a start after the wait then writes nothing.

@@ -1,5 +1,5 @@
-//! What the shop's lines do: whether they may be in a program. Understood is only what is known to be harmless on the control; what may be harmful is refused, and
-//! everything else is not checked.
+//! Judges whether lines of the shop may be in a program. A line is understood only if it is known to be harmless on the control. A line that may be harmful is
+//! refused, and any other one is not checked.
 
 use super::klartext;
 use super::place::Place;

@@ -59,7 +59,7 @@ fn unused(request: &Request<'_>, place: &Place) -> Option<Text> {
     let moves = request.form == ProgramForm::Moves;
     if place.key == BEFORE_WRITE.key && !(moves && request.writes_offset()) {
         return Some(text!(
-            "The program writes no work offset in a block of its own"
+            "The program has no separate block that writes a work offset"
         ));
     }
     if place.key == ON_ALARM.key && (!moves || request.post.why_not(ON_ALARM.key).is_some()) {

@@ -147,7 +147,7 @@ impl<'a> State<'a> {
         Ok(true)
     }
 
-    /// A move in work coordinates: up by a distance, or to the clearance or higher after the program has stated its modes.
+    /// A move in work coordinates: up by a distance, or after the touches to the clearance or higher.
     fn moves_in_work(&self, to: Option<f64>, across: bool, incremental: bool) -> Judged {
         // Before the first move the stylus may be over the part.
         let changed =

@@ -551,9 +551,7 @@ fn results(formula: &Formula) -> impl Iterator<Item = (Cow<'_, str>, String)> {
 fn waits(request: &Request<'_>) -> bool {
     let marks = |check: &ResultCheck| check.asked == CheckKind::MarkTolerance;
     let shows = request.report == ResultOutput::Screen && request.questions().iter().any(marks);
-    request.form == ProgramForm::Moves
-        && request.writes_offset()
-        && (shows || request.asks().is_some())
+    request.form == ProgramForm::Moves && request.writes_offset() && (shows || request.asks())
 }
 
 /// Checks before the first move: nothing has moved if one of them fails.

@@ -1,5 +1,5 @@
 //! Inserts the program of a job into another program: after the tool change of the probe, or after a line. The rest of the text keeps its bytes. The result is read
-//! back: the inserted lines must be the job's program, and must probe in the other program as they do alone.
+//! back: the inserted lines must be the job's program, and must make the same touches in the other program.
 
 mod places;
 mod state;
@@ -55,7 +55,7 @@ pub fn insert(job: &Value, other: &str, line: Option<usize>) -> Result<Insertion
     let plan = job::plan(job)?;
     if let Some(place) = own_lines(job) {
         let message = text!(
-            "The lines of {place} belong to a program of its own: remove them to insert the job",
+            "Lines at {place} cannot be inserted into another program. Remove them to insert the job",
             place
         );
         return Err(refusal("not-inserted", message));
@@ -130,7 +130,7 @@ fn place(
         );
         return Err(refusal("no-place", message));
     }
-    // A line of an earlier inserted program stands for the one above it.
+    // A line inside an earlier inserted program means the line above that program.
     let left = |line: usize| kept.iter().rposition(|own| *own <= line);
     line.map_or(own, left).ok_or_else(|| {
         let message = text!("No tool change of a probe is found, or several are: choose the line");
@@ -274,7 +274,7 @@ fn setting<'t>(above: &[(usize, &'t str)], family: Family) -> Vec<&'t str> {
     own.map(|(_, line)| *line).collect()
 }
 
-/// Reads the inserted lines in the state of the place: they must probe as they do alone.
+/// Reads the inserted lines in the state of the place: they must make the touches of the job's program.
 fn check_moves(post: &PostDef, program: &str, above: &[&str], own: &[String]) -> Result<(), Text> {
     let dialect = control_kind::dialect_of(post.key);
     let text = format!("{}\n{}\n", above.concat(), own.join("\n"));

@@ -274,7 +274,7 @@ export const RULES: Record<string, readonly [string, string]> = {
   "offset-after-touches": ["No work offset is written before every touch has succeeded, and none on the way to an exit", "A half-measured offset looks like a good one."],
   "one-write": ["No more than one work offset is written, each of its values once", "A second write would apply the correction again."],
   "plausible-before-write": ["A result that is off its nominal value by more than its limit ends the program with an alarm before anything is written", "A chip on the first wall would be written as the position of the part."],
-  "asked-before-write": ["The program waits for the operator before it writes a work offset, if the job says so", "A value that nobody has seen would be written."],
+  "asked-before-write": ["If the job asks for it, the program waits for the operator before it writes a work offset", "The program would write a value that the operator has not seen."],
   "tolerance-obeyed": ["A result out of its tolerance stops the program where the job says so, and nowhere else", "Machining would continue on a bad part, or stop on a good one."],
   "place-within-limit": ["A result that a later cycle follows and that is off by more than its limit ends the program before it moves to that cycle", "A chip under the first touch would send the probe into the part."],
   "restart-writes-nothing": ["Started again in its middle, with variables empty or as the last run left them, the program writes nothing", "After an alarm operators start the last block again: touches that were not made would be written."],
