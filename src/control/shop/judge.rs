@@ -85,8 +85,9 @@ fn word_address(state: &mut State<'_>, line: &str, family: Family) -> Judged {
     if prefix.skips || prefix.number.is_some() || is_deciding(&code, family) {
         return Err(decides());
     }
-    // The call of an O word is not followed.
-    if !post.dialect.capitals && family == Family::Iso && code.starts_with('O') {
+    // The call of an O word is not followed: `o<probe_on> call`, and an Okuma's `CALL O9832`.
+    let calls = code.starts_with("CALL O") || !post.dialect.capitals && code.starts_with('O');
+    if family == Family::Iso && calls {
         return Ok(false);
     }
     if FRAMES.iter().any(|frame| code.starts_with(frame)) || code.starts_with("CYCLE800") {
@@ -123,13 +124,18 @@ fn codes(state: &mut State<'_>, block: &Block, mut coordinates: Coordinates) -> 
     // Where G54 is no work offset, other G codes differ as well.
     let differs = !(post.work_offset_word)(1).starts_with("G54") && post.work_offsets > 0;
     let mut known = block.knows_codes();
-    let (mut motion, mut position) = (false, block.has_axes());
+    let (mut motion, mut position, mut is_foreign) = (false, block.has_axes(), false);
     for (effect, code) in block.effects() {
         if differs
             && !["G0", "G1", "G4", "G90", "G91"].contains(&code.as_str())
             && code.starts_with('G')
         {
-            return Ok(false);
+            let offset = (post.work_offset_word)(1);
+            if offset.split(' ').next() == Some(code.as_str()) {
+                state.offset()?;
+            }
+            is_foreign = true;
+            continue;
         }
         known &= effect_of(state, block, effect, &code)?;
         match effect {
@@ -139,6 +145,12 @@ fn codes(state: &mut State<'_>, block: &Block, mut coordinates: Coordinates) -> 
             Effect::Macro { .. } | Effect::Call(_) => position = false,
             _ => {}
         }
+    }
+    if is_foreign {
+        if position {
+            state.may_move()?;
+        }
+        return Ok(false);
     }
     // `G4 X1.` waits on a Fanuc and its kin; any other axis word moves.
     let waits = block.does(|effect| effect == Effect::Dwell)

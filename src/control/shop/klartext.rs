@@ -65,7 +65,8 @@ fn tool_call(state: &mut State<'_>, words: &[&str]) -> Judged {
     {
         return Err(writes());
     }
-    Ok(tool.is_some())
+    let is_known = |word: &&str| **word == *axis || word.starts_with(['S', 'F']);
+    Ok(tool.is_some() && words.iter().skip(1).all(is_known))
 }
 
 /// `L Z-1 R0 FMAX M91`
