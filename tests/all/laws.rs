@@ -126,6 +126,10 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
             job = with(&job, "control.form", Value::Text(form.to_owned()));
             // A dry run has its own law.
             job = with(&job, "control.run", Value::Text("normal".to_owned()));
+            // A program with a question must write, and show its results: most jobs would be refused.
+            if !shaped {
+                job = with(&job, "control.ask", Value::Text("never".to_owned()));
+            }
             if form == "cycle" { with(&job, "control.workOffset", Value::Null) } else { job }
         })
     })
