@@ -666,10 +666,10 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: MoveContext<'_>) {
     if start_unknown(request, place.index, place.planned) {
         return approach(w, request, place.planned);
     }
-    if upwards(request, place.from, place.planned.to) > 0
-        && plan_calls::starts_off_centre(request, place.index)
-    {
-        // Out of a bore the move is straight up.
+    // Out of a bore the move is straight up first; what is left of it is across.
+    let lifted = upwards(request, place.from, place.planned.to) > 0
+        && plan_calls::starts_off_centre(request, place.index);
+    if lifted {
         let up = w.goes_along_tool(place.planned.to);
         approach_block(w, request, place.planned, &up, "TP_BLOCKED");
     }
@@ -677,7 +677,7 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: MoveContext<'_>) {
     each_piece(request, place, |from, to| {
         if request.protected {
             // On the way up an exit that lifts would push against the contact.
-            let exit = if upwards(request, from, to) > 0 {
+            let exit = if !lifted && upwards(request, from, to) > 0 {
                 "TP_BLOCKED"
             } else {
                 "TP_CONTACT"

@@ -682,8 +682,12 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
             .collect();
         for (i, first) in keys.iter().enumerate() {
             let pair = [*first, keys[(i + 1) % keys.len()]];
-            let plan = planned(&own(&set_up(post, &pair)));
+            let job = own(&set_up(post, &pair));
+            let plan = planned(&job);
             assert!(plan.program.own, "{post} {pair:?}");
+            // Higher link moves change nothing but themselves: a SINUMERIK's exit must lift to their height.
+            let higher = planned(&with(&job, "clear", Value::Number(120.0)));
+            assert_eq!(higher.touches.len(), plan.touches.len(), "{post} {pair:?}");
             // The judges of the others are for programs of moves.
             if !of_moves().contains(&post) {
                 crate::common::owed::judge(post).unwrap()(&plan)
