@@ -30,6 +30,8 @@ impl Reader {
             Value::Named => return self.name(line, at, block),
         };
         match (letter, word) {
+            // Arguments of a macro: `G65 P9814 D25. M2.` ends no program.
+            (b'M' | b'T', _) if block.macros => {}
             (b'X'..=b'Z', word) => {
                 let axis = letter - b'X';
                 block.conflicting_words |= block.given & (1 << axis) != 0;
