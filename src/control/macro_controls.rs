@@ -6,9 +6,9 @@
 
 use crate::control::inside::{self, Inside};
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::native_run::NativeCycles;
-use crate::control::renishaw::cycles;
+use crate::control::native_run::{CycleLinking, NativeCycles};
 use crate::control::renishaw::post::{self, CALLS, Calls, variable};
+use crate::control::renishaw::{LINKING, cycles};
 use crate::control::{BASE, ORIENT, PostDef, ProgramForm, Request, number, offsets};
 use crate::form::Checker;
 use crate::path::{FeatureKind, Stored};
@@ -146,6 +146,11 @@ static BROTHER_OWN: NativeCycles = NativeCycles {
 };
 static HURCO_OWN: NativeCycles = cycles(offsets::letter, |stored| variable(185, stored));
 static OKUMA_OWN: NativeCycles = NativeCycles {
+    // No source shows its expressions and jumps beside these calls.
+    several: CycleLinking {
+        computes: false,
+        ..LINKING
+    },
     word: |number, letter| format!("O{number} P{letter}"),
     ..cycles(f64::from, |stored| match stored {
         Stored::Output(output) => format!("VS{}", 75 + output),

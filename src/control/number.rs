@@ -5,6 +5,8 @@
 
 use crate::control::{Request, comment_text};
 use crate::form::Checker;
+use crate::formula::ResultCheck;
+use crate::num::decimal;
 use crate::text::text;
 
 /// Number if none is chosen.
@@ -22,6 +24,39 @@ const PROTECTED: i32 = 8000;
 
 /// Longest name on the O line: the control lists no more.
 const LONGEST_NAME: usize = 31;
+
+/// Longest text of an alarm, characters.
+pub(super) const LONGEST_ALARM: usize = 26;
+
+/// First label of the exits for results beyond their limits, and the number of their first alarm.
+pub(super) const RESULTS: (usize, usize) = (9061, 31);
+
+/// Decimals of a constant: it has at most eight digits, including a zero before the point.
+pub(super) fn decimals(x: f64) -> usize {
+    let whole = x.abs().max(1.0).log10().floor() as usize + 1;
+    DIGITS.saturating_sub(whole)
+}
+
+/// A constant with its decimal point.
+fn constant(x: f64) -> String {
+    let text = decimal(x, decimals(x));
+    if text.contains('.') {
+        text
+    } else {
+        format!("{text}.")
+    }
+}
+
+/// Deviation of a result in this variable from its expected value, and its limit, in units of the program.
+pub(super) fn deviation(variable: &str, check: &ResultCheck, unit: f64) -> (String, String) {
+    let [limit, expected] = [check.limit, check.expected].map(|x| constant(x / unit));
+    let off = match expected.as_str() {
+        "0." => variable.to_owned(),
+        text if text.starts_with('-') => format!("{variable}-[{text}]"),
+        text => format!("{variable}-{text}"),
+    };
+    (off, limit)
+}
 
 /// Number of the program for this number and name of a job.
 pub fn number(given: Option<i32>, name: &str) -> i32 {

@@ -149,6 +149,22 @@ impl ResultCheck {
         }
     }
 
+    /// Text of the alarm of a failed check, of at most `longest` characters: `BORE.DIAMETER OFF, SEE #103`. `variable` holds the result; it tells the cycle if
+    /// there is no room for both.
+    pub fn alarm(&self, formula: &Formula, variable: &str, longest: usize) -> String {
+        let off_or_out = match self.asked {
+            CheckKind::Plausibility | CheckKind::FollowLimit => "OFF",
+            CheckKind::MarkTolerance | CheckKind::StopTolerance => "OUT",
+        };
+        let says =
+            |code: &str| format!("{} {off_or_out}, SEE {variable}", code.to_ascii_uppercase());
+        let result = &formula.results[self.result];
+        let fits = [says(&formula.code(result)), says(result.code)]
+            .into_iter()
+            .find(|says| says.len() <= longest);
+        fits.unwrap_or_else(|| says("result"))
+    }
+
     /// Whether a value, mm or degrees, is within the limit. Unknown values are not. At the limit itself rounding of the touches decides nothing.
     pub fn is_within(&self, value: f64) -> bool {
         (value - self.expected).abs() <= self.limit + ON_LIMIT
@@ -354,6 +370,20 @@ pub enum Unit {
 impl Formula {
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.0 as usize]
+    }
+
+    /// Change of a value in a full turn, degrees, if it is an angle or half of one.
+    pub fn full_turn(&self, id: NodeId) -> Option<i32> {
+        let is_angle = |id: NodeId| matches!(self.node(id), Node::Atan2(..));
+        match self.node(id) {
+            Node::Atan2(..) => Some(360),
+            Node::Binary(Op::Divide, angle, two)
+                if is_angle(angle) && self.node(two) == Node::Number(2.0) =>
+            {
+                Some(180)
+            }
+            _ => None,
+        }
     }
 
     /// Visits a node and all its operands.

@@ -96,7 +96,7 @@ fn words(planned: &PlannedJob) -> Option<Vec<Word>> {
                 .iter()
                 .map(|(place, x)| of(u32::from(*number), place.to_string(), x.value()))
                 .collect(),
-            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => Vec::new(),
+            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) | CallBlock::Compute(_) => Vec::new(),
         }
     });
     Some(all.collect())

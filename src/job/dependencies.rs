@@ -7,12 +7,13 @@ use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Formula, Role, Variable};
 use crate::geom::{Plane, Vec3};
 use crate::job::Job;
-use crate::job::planned::{PlannedJob, several};
+use crate::job::planned::{FollowingJob, PlannedJob, several};
 use crate::job::relations::Relations;
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::PartRun;
 use crate::path::{
-    Dependencies, MovePurpose, Path, ResultSource, Shifts, SizeSensitivity, ZERO_LENGTH, far_apart,
+    Dependencies, FollowedValue, MovePurpose, Path, ResultSource, Sensitivity, Shifts, ZERO_LENGTH,
+    far_apart,
 };
 use crate::text::{Text, text};
 use crate::{formula, part};
@@ -247,7 +248,7 @@ fn read_expression(
         }
     };
     let job = earlier.first?;
-    if let Some(why) = cannot_follow(job) {
+    if let Some(why) = cannot_follow(job, kind) {
         checker.error("set-up-unsupported", path, why);
         return None;
     }
@@ -362,9 +363,16 @@ fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
     }
 }
 
-/// Reason why no cycle can follow a result in the program of a job.
-fn cannot_follow(job: &Job) -> Option<Text> {
-    if several(job).is_some() || job.form == ProgramForm::Cycle {
+/// Reason why no cycle can follow a result of this kind in the program of a job.
+fn cannot_follow(job: &Job, kind: Kind) -> Option<Text> {
+    if let Some(several) = several(job) {
+        if several.is_ok_and(|several| several.computes) {
+            return (kind == Kind::Rotation).then(|| {
+                text!(
+                    "Native cycles probe along the axes: they follow positions and sizes, no direction"
+                )
+            });
+        }
         return Some(match job.post.moves() {
             true => text!(
                 "Native cycles store their results in variables, and this program does not compute with those: use the form \"moves\""
@@ -490,6 +498,12 @@ pub fn resolve_dependencies(
         checker.error("place-of-result", format!("cycles[{index}].{key}"), message);
         return follows;
     }
+    follows.native = planned.job.form == ProgramForm::Cycle;
+    if follows.native {
+        let later = |(_, of)| (of, Sensitivity::default());
+        follows.sizes = sizes.into_iter().map(later).collect();
+        return follows;
+    }
     for (key, of) in sizes {
         match along(checker, planned, single, &key) {
             Ok(along) => follows.sizes.push((of, along)),
@@ -530,59 +544,146 @@ fn along(
     planned: &PlannedJob,
     single: &Value,
     key: &str,
-) -> Result<SizeSensitivity, Text> {
-    let PlannedJob { path, job, .. } = planned;
-    let limit = job.limits.size.unwrap_or(0.0);
-    let at = |by: f64| {
-        resized(single, key, by / job.scale).map_err(|why| {
-            let off = checker.length(by);
-            match why {
-                Some(why) => text!(
-                    "This size follows a result, and {off} off the nominal one the cycle has an error: {error}",
-                    off,
-                    why
-                ),
-                None => text!(
-                    "This size follows a result, and {off} off the nominal one the path of the cycle is not free",
-                    off
-                ),
-            }
-        })
+) -> Result<Sensitivity, Text> {
+    let limit = planned.job.limits.size.unwrap_or(0.0);
+    let following = FollowingJob {
+        single: single.clone(),
+        sizes: vec![key.to_owned()],
     };
-    let (less, more) = (at(-limit)?, at(limit)?);
-    SizeSensitivity::of(&less, path, &more, limit).ok_or_else(|| {
-        text!("This size cannot follow a result: the moves of the cycle are not linear in it")
+    following.sensitivity(checker, planned, (FollowedValue::Size(0), limit))
+}
+
+/// Job of a cycle that follows results; `None` if it follows nothing.
+pub fn following_job(wanted: &PendingDependencies, single: &Value) -> Option<FollowingJob> {
+    let places = wanted.follows.place.iter().any(Option::is_some);
+    (places || !wanted.sizes.is_empty()).then(|| FollowingJob {
+        single: single.clone(),
+        sizes: wanted.sizes.iter().map(|(key, _)| key.clone()).collect(),
     })
 }
 
-/// The path of a cycle with another size, or its first error; `None` if the path is not free.
-fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
-    let mut single = single.clone();
-    for (own, value) in cycle_of(&mut single).into_iter().flatten() {
-        if let (true, Value::Number(size)) = (own == key, value) {
-            *size += by;
+impl FollowingJob {
+    /// The cycle with other followed values, each changed by so many mm, planned like `planned`. Otherwise its first error; `None` if its path is not free.
+    fn varied(
+        &self,
+        planned: &PlannedJob,
+        by: &[(FollowedValue, f64)],
+    ) -> Result<PlannedJob, Option<Text>> {
+        let mut single = self.single.clone();
+        for (value, by) in by {
+            self.change(&mut single, *value, by / planned.job.scale);
+        }
+        let mut own = Checker::default();
+        let job = Job::read(&mut own, &single).filter(|_| !own.failed());
+        let Some(job) = job else {
+            let mut errors = own
+                .findings()
+                .into_iter()
+                .filter(|finding| finding.level == Level::Error);
+            return Err(errors.next().map(|finding| finding.said));
+        };
+        let job = Job {
+            work_offset: planned.job.work_offset,
+            ..job
+        };
+        let varied = PlannedJob::at(job, planned.clear);
+        match varied.native_rejections.first() {
+            Some((.., why)) => Err(Some(why.clone())),
+            None => Ok(varied),
         }
     }
-    let mut own = Checker::default();
-    let planned = Job::read(&mut own, &single)
-        .filter(|_| !own.failed())
-        .map(PlannedJob::of);
-    let Some(PlannedJob { path, job, .. }) = planned else {
-        let mut errors = own
-            .findings()
-            .into_iter()
-            .filter(|finding| finding.level == Level::Error);
-        return Err(errors.next().map(|finding| finding.said));
-    };
-    let run = part::run(&path, &path.surfaces, &job.setup);
+
+    fn change(&self, single: &mut Value, value: FollowedValue, by: f64) {
+        for (key, own) in cycle_of(single).into_iter().flatten() {
+            let number = match (value, own) {
+                (FollowedValue::Place(axis), Value::List(origin)) if key == "origin" => {
+                    origin.get_mut(axis)
+                }
+                (FollowedValue::Size(n), own) => Some(own).filter(|_| *key == self.sizes[n]),
+                _ => None,
+            };
+            if let Some(Value::Number(x)) = number {
+                *x += by;
+            }
+        }
+    }
+
+    /// Sensitivity of a cycle to a followed value, tried at both ends of its limit, mm, or the reason why it is unknown.
+    fn sensitivity(
+        &self,
+        checker: &Checker,
+        planned: &PlannedJob,
+        (value, limit): (FollowedValue, f64),
+    ) -> Result<Sensitivity, Text> {
+        let at = |by: f64| {
+            let varied = self.varied(planned, &[(value, by)]);
+            let varied = varied.and_then(|varied| {
+                if is_free(&varied) {
+                    Ok(varied)
+                } else {
+                    Err(None)
+                }
+            });
+            varied.map_err(|why| {
+                let off = checker.length(by);
+                match why {
+                    Some(why) => text!(
+                        "This value follows a result, and {off} off the nominal one the cycle has an error: {error}",
+                        off,
+                        why
+                    ),
+                    None => text!(
+                        "This value follows a result, and {off} off the nominal one the path of the cycle is not free",
+                        off
+                    ),
+                }
+            })
+        };
+        let (less, more) = (at(-limit)?, at(limit)?);
+        Sensitivity::of([&less.path, &planned.path, &more.path], limit, value).ok_or_else(|| {
+            text!("This value cannot follow a result: the moves of the cycle are not linear in it")
+        })
+    }
+}
+
+/// Whether the path of a cycle is free on the nominal part. Native cycles are planned on it.
+fn is_free(PlannedJob { path, job, .. }: &PlannedJob) -> bool {
+    if path.calls.is_some() {
+        return true;
+    }
+    let run = part::run(path, &path.surfaces, &job.setup);
     let free = run.collision.is_none()
         && run.wrong_walls.is_empty()
         && run.triggers.iter().all(Option::is_some);
-    if free && path.touch_faults(job.setup.radius).is_empty() {
-        Ok(path)
-    } else {
-        Err(None)
+    free && path.touch_faults(job.setup.radius).is_empty()
+}
+
+/// Derives how moves and words of native cycles follow results: each cycle is planned with every followed value at both ends of its limit. Reports values that
+/// cannot follow.
+pub fn sense(checker: &mut Checker, path: &mut Path, members: &[PlannedJob]) -> Option<()> {
+    for (m, planned) in members.iter().enumerate() {
+        let Some(following) = &planned.following else {
+            continue;
+        };
+        let limits = &planned.job.limits;
+        let mut sensitivities = Vec::new();
+        for (value, _) in path.cycles[m].placing.followed() {
+            let (limit, field) = match value {
+                FollowedValue::Place(axis) => (limits.position, format!("origin[{axis}]")),
+                FollowedValue::Size(n) => (limits.size, following.sizes[n].clone()),
+            };
+            let limit = limit.unwrap_or(0.0);
+            match following.sensitivity(checker, planned, (value, limit)) {
+                Ok(known) => sensitivities.push(known),
+                Err(why) => {
+                    checker.error("place-of-result", format!("cycles[{m}].{field}"), why);
+                    return None;
+                }
+            }
+        }
+        path.cycles[m].placing.sense(sensitivities);
     }
+    Some(())
 }
 
 /// Runs the cycles that follow results on the virtual part, at the positions that the measured results give. Before a cycle that would be shifted beyond the
@@ -612,6 +713,10 @@ pub fn run(whole: &mut PlannedJob) {
             }
             return;
         }
+        if whole.members[m].following.is_some() {
+            run_calls(whole, m, &values);
+            continue;
+        }
         let begin = whole.path.cycles[m].moves.start;
         let by = |index: Option<usize>, place: Vec3| match index {
             Some(index) => shift(&whole.path.shifts_at(begin + index, place), &values),
@@ -631,6 +736,31 @@ pub fn run(whole: &mut PlannedJob) {
             ..run
         };
     }
+}
+
+/// Runs a native cycle on the virtual part with the followed values that its program has there. An unknown value counts as nominal.
+fn run_calls(whole: &mut PlannedJob, m: usize, values: &[f64]) {
+    let known = |(value, by): (FollowedValue, Variable)| {
+        Some((value, values[by.index()])).filter(|(_, by)| by.is_finite())
+    };
+    let by: Vec<(FollowedValue, f64)> = whole.path.cycles[m]
+        .placing
+        .followed()
+        .filter_map(known)
+        .collect();
+    let planned = &mut whole.members[m];
+    let Some(varied) = planned
+        .following
+        .as_ref()
+        .and_then(|following| following.varied(planned, &by).ok())
+    else {
+        return;
+    };
+    let shifted_path = Some(Box::new(varied.path.clone()));
+    planned.run = PartRun {
+        shifted_path,
+        ..varied.run_on_surfaces(&planned.surfaces)
+    };
 }
 
 /// Triggers of all cycles as they were run.

@@ -6,6 +6,7 @@ use crate::control::ProgramForm;
 use crate::control::native_run::machine::{Alarm, BallContact};
 use crate::control::native_run::{CycleLinking, NativeCycles, NativeRequest, Rejections};
 use crate::cycle::Repeat;
+use crate::form::Value;
 use crate::formula::{OffsetCorrection, ResultRow};
 use crate::geom::Vec3;
 use crate::job::Job;
@@ -151,6 +152,14 @@ fn own_run(
     run
 }
 
+/// The job of a cycle that follows results, with nominal values, to plan it with others.
+#[derive(Clone, Debug)]
+pub struct FollowingJob {
+    pub single: Value,
+    /// Keys of the followed sizes.
+    pub sizes: Vec<String>,
+}
+
 /// A job with its path and its run on the actual part. Lengths in mm.
 #[derive(Debug)]
 pub struct PlannedJob {
@@ -166,6 +175,10 @@ pub struct PlannedJob {
     pub members: Vec<PlannedJob>,
     /// Path of a dry run, which the program makes instead.
     pub dry: Option<Path>,
+    /// Height of the link moves that its native cycles make in a set-up.
+    pub clear: Option<f64>,
+    /// The job of a native cycle that follows results.
+    pub following: Option<FollowingJob>,
 }
 
 impl PlannedJob {
@@ -182,19 +195,29 @@ impl PlannedJob {
             _ => path,
         };
         let surfaces = actual_surfaces(&job, &path);
-        let run = match (&path.calls, job.post.own) {
-            (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
-            _ => part::run(&path, &surfaces, &job.setup),
-        };
         let dry = job.dry.map(|lift| path.dry(lift));
-        PlannedJob {
+        let mut planned = PlannedJob {
             job,
             path,
             surfaces,
-            run,
+            run: part::PartRun::default(),
             native_rejections: refused,
             members: Vec::new(),
             dry,
+            clear,
+            following: None,
+        };
+        planned.run = planned.run_on_surfaces(&planned.surfaces);
+        planned
+    }
+
+    /// Runs the path, or the native calls, on these surfaces.
+    pub fn run_on_surfaces(&self, surfaces: &[Surface]) -> part::PartRun {
+        match (&self.path.calls, self.job.post.own) {
+            (Some(own), Some(cycles)) => {
+                own_run(&self.path, own, cycles, surfaces, self.job.setup.radius)
+            }
+            _ => part::run(&self.path, surfaces, &self.job.setup),
         }
     }
 

@@ -468,6 +468,11 @@ pub fn add_rows(
     if let Some(checker) = checker {
         report_judged(whole, &evaluated, &off, whole.writes(), checker);
     }
+    let kept = whole.path.kept();
+    let stored = |index: usize| {
+        let (_, stored) = kept.iter().find(|(known, _)| *known == index)?;
+        Some((whole.job.post.own?.name)(*stored))
+    };
     for (i, relation) in relations.iter().enumerate() {
         let truth = |index: usize| {
             let def = &whole.path.formula.results[index];
@@ -478,15 +483,12 @@ pub fn add_rows(
                 .truth
         };
         let truths = whole.path.related(relation, truth);
-        for (row, truth) in evaluated[relation.results.clone()]
-            .iter()
-            .cloned()
-            .zip(truths)
-        {
+        for (index, truth) in relation.results.clone().zip(truths) {
+            let row = evaluated[index].clone();
             let angle = row.unit == formula::Unit::Angle;
             let mut row = ResultRow {
                 cycle: whole.members.len() + i,
-                ..result_row(&whole.job, row, None, None)
+                ..result_row(&whole.job, row, None, stored(index))
             };
             // A control may give a direction a whole turn away.
             let turn = |truth: f64| {

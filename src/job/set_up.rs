@@ -5,11 +5,12 @@
 use std::cell::OnceCell;
 
 use crate::control::native_run::CycleLinking;
+use crate::control::native_run::compute::{self, Lack};
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::Vec3;
 use crate::job::cycles::{
-    CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, is_name, names, single_cycle_job,
+    CLEAR, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, is_name, names, single_cycle_job,
     with_size_limit,
 };
 use crate::job::dependencies::{self, EarlierCycles};
@@ -20,8 +21,7 @@ use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
 use crate::part::{self, PartRun};
 use crate::path::{
-    CallBlock, DependencyLimits, Feature, Feed, Feeds, LINK_STEP, LinkBlock, MovePurpose, Path,
-    STATED_RAPID,
+    DependencyLimits, Feature, Feed, Feeds, LINK_STEP, LinkBlock, MovePurpose, Path, STATED_RAPID,
 };
 use crate::text::text;
 
@@ -118,7 +118,10 @@ impl Reading<'_> {
         if let Some(job) = job.filter(|_| self.sound) {
             let title = format!("{}: {}", job.def.source, job.def.title);
             let reaches = (job.setup.plane.axes(), reaches(&job));
-            let planned = self.plan(job, index);
+            let mut planned = self.plan(job, index);
+            if several(&planned.job).is_some() {
+                planned.following = dependencies::following_job(&wanted, &single);
+            }
             let settled = &mut self.settled;
             let follows = dependencies::resolve_dependencies(
                 settled,
@@ -163,9 +166,20 @@ impl Reading<'_> {
         };
         let several = several(&job);
         if let Some(several) = several {
-            self.members = own_cycles(checker, &job, self.members, (several, clear), self.names)?;
+            let path = &mut self.path;
+            self.members = own_cycles(
+                checker,
+                (&job, path),
+                self.members,
+                (several, clear),
+                self.names,
+            )?;
+            dependencies::sense(checker, path, &self.members)?;
         }
-        if several.is_some() || !job.post.computes {
+        let computes = several.map_or(job.post.computes, |several| {
+            several.is_ok_and(|own| own.computes)
+        });
+        if !computes {
             self.relations.report_not_computed(checker);
         }
         let mut whole = connect(job, self.path, self.members, clear);
@@ -176,11 +190,11 @@ impl Reading<'_> {
         if !whole.job.post.offset_has_rotation {
             whole.path.formula.without_rotation();
         }
+        if let Some(Ok(several)) = several {
+            allocate(checker, &mut whole.path, several)?;
+        }
         dependencies::run(&mut whole);
         whole.run = run(&whole, PartState::Actual);
-        if let Some(Ok(several)) = several {
-            check_kept(checker, &whole.path, several)?;
-        }
         Some(whole)
     }
 }
@@ -188,7 +202,7 @@ impl Reading<'_> {
 /// The cycles as native cycles. Reports why the control does not support them.
 fn own_cycles(
     checker: &mut Checker,
-    job: &Job,
+    (job, path): (&Job, &Path),
     members: Vec<PlannedJob>,
     (several, clear): (Result<CycleLinking, &'static str>, Option<f64>),
     names: &[String],
@@ -217,30 +231,59 @@ fn own_cycles(
     if !several.links_itself {
         return Some(members);
     }
-    let all = members.iter().flat_map(|planned| ends(&planned.path));
+    // A cycle that follows a height may end higher by its limit.
+    let higher = |m: usize| {
+        let follows = path.cycles[m].placing.follows_axis(2);
+        follows
+            .then_some(job.limits.position)
+            .flatten()
+            .unwrap_or(0.0)
+    };
+    let all = members.iter().enumerate();
+    let all = all.flat_map(|(m, planned)| ends(&planned.path).map(move |end| end + higher(m)));
     let highest = all.fold(f64::NEG_INFINITY, f64::max);
     let clear = clear.unwrap_or(highest);
     let high_enough = check_clear(checker, clear, highest);
-    let at = |planned: PlannedJob| PlannedJob::at(planned.job, Some(clear));
+    let at = |planned: PlannedJob| PlannedJob {
+        following: planned.following,
+        ..PlannedJob::at(planned.job, Some(clear))
+    };
     high_enough.then(|| members.into_iter().map(at).collect())
 }
 
-/// Checks that the control has variables for all results that the next cycle would overwrite.
-fn check_kept(checker: &mut Checker, path: &Path, several: CycleLinking) -> Option<()> {
-    let own = path.calls.iter().flat_map(|own| &own.blocks);
-    let kept = own.filter(|(block, _)| matches!(block, CallBlock::SaveResult(..)));
-    let (kept, room) = (
-        kept.count(),
-        several.saved_variables.1 + 1 - several.saved_variables.0,
-    );
-    if kept > room {
-        let message = text!(
-            "The results of these cycles need {count} variables, and the control has {room} for them: use fewer cycles",
-            kept,
-            room
-        );
-        checker.error("too-many-registers", "cycles", message);
-        return None;
+/// Checks that the control has variables for all results that the next cycle would overwrite, and gives one to every value that the program computes.
+fn allocate(checker: &mut Checker, path: &mut Path, several: CycleLinking) -> Option<()> {
+    let (first, last) = several.saved_variables;
+    match compute::allocate(path, several) {
+        Ok(lacking) if !lacking.is_empty() => {
+            let names: Vec<&str> = lacking
+                .into_iter()
+                .map(|index| path.relations[index].name.as_str())
+                .collect();
+            let message = text!(
+                "The native cycles do not store every result that {relations} needs: the program does not compute it",
+                names.join(", ")
+            );
+            checker.info("relation-not-computed", RELATIONS, message);
+        }
+        Ok(_) => {}
+        Err(Lack::Variables(count)) => {
+            let message = text!(
+                "The results of these cycles need {count} variables, and the control has {room} for them: use fewer cycles",
+                count,
+                last + 1 - first
+            );
+            checker.error("too-many-registers", "cycles", message);
+            return None;
+        }
+        Err(Lack::Followed(m)) => {
+            let message = text!(
+                "{cycle} follows a result that no native cycle stores",
+                path.cycles[m].name.clone()
+            );
+            checker.error("place-of-result", format!("cycles[{m}]"), message);
+            return None;
+        }
     }
     Some(())
 }
@@ -392,15 +435,9 @@ fn connect(
         if planned.path.calls.is_some() {
             member.path.clone_from(&planned.path);
         }
-        let higher = if member
-            .placing
-            .follows
-            .iter()
-            .any(|follow| follow.axis == Some(tool))
-        {
-            margin
-        } else {
-            0.0
+        let higher = match member.placing.follows_axis(tool) {
+            true => margin,
+            false => 0.0,
         };
         highest = ends(&planned.path)
             .map(|end| end + higher)
@@ -419,8 +456,11 @@ fn connect(
     let radius = job.setup.radius;
     let way = several
         .map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
-    let way = way.as_ref().map(|way| way as LinkBlock<'_>);
-    path.connect(clear.unwrap_or(highest), feeds, way);
+    let link = way
+        .as_ref()
+        .map(|way| way as LinkBlock<'_>)
+        .zip(several.map(|several| several.computes));
+    path.connect(clear.unwrap_or(highest), feeds, link);
     let surfaces = members
         .iter()
         .flat_map(|planned| planned.surfaces.iter().copied())
@@ -434,6 +474,8 @@ fn connect(
         native_rejections: Vec::new(),
         members,
         dry,
+        clear,
+        following: None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sequence of native-cycle calls that carries out one probing cycle.
 
 use crate::geom::Vec3;
-use crate::path::Feed;
+use crate::path::{Feed, ShiftTerm};
 
 /// A value in a call, with its kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +36,8 @@ pub enum CallBlock {
     MoveTo(Vec3, Feed),
     /// Saves a result of the previous call, given by its position in that call's output, in a variable: the next call overwrites the output.
     SaveResult(usize, usize),
+    /// Computes what the results so far give, and checks what the next cycle of a set-up follows: that cycle's index, or the number of cycles at the end.
+    Compute(usize),
 }
 
 impl CallBlock {
@@ -44,7 +46,49 @@ impl CallBlock {
         match self {
             CallBlock::Call(number, _) => ![9810, 9832, 9833, 9834, 9835].contains(number),
             CallBlock::Cycle(number, _) => *number != 247,
-            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => false,
+            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) | CallBlock::Compute(_) => false,
+        }
+    }
+
+    /// Values of its words, in their order.
+    pub fn values(&self) -> Vec<Quantity> {
+        match self {
+            CallBlock::Call(_, letters) => letters.iter().map(|(_, value)| *value).collect(),
+            CallBlock::Cycle(_, parameters) => parameters.iter().map(|(_, value)| *value).collect(),
+            CallBlock::MoveTo(to, _) => to.to_array().map(Quantity::Length).to_vec(),
+            CallBlock::SaveResult(..) | CallBlock::Compute(_) => Vec::new(),
+        }
+    }
+
+    /// Axis of the coordinate that a word of a link move gives.
+    pub fn axis_of(&self, word: usize) -> Option<usize> {
+        match self {
+            CallBlock::Call(_, letters) => {
+                let (letter, _) = letters.get(word)?;
+                ['X', 'Y', 'Z'].iter().position(|axis| axis == letter)
+            }
+            CallBlock::MoveTo(..) => Some(word),
+            CallBlock::Cycle(..) | CallBlock::SaveResult(..) | CallBlock::Compute(_) => None,
+        }
+    }
+
+    /// Whether another block differs in nothing but the values of its words.
+    pub fn is_like(&self, other: &CallBlock) -> bool {
+        match (self, other) {
+            (CallBlock::Call(own, a), CallBlock::Call(number, b)) => {
+                own == number
+                    && a.iter()
+                        .map(|(name, _)| name)
+                        .eq(b.iter().map(|(name, _)| name))
+            }
+            (CallBlock::Cycle(own, a), CallBlock::Cycle(number, b)) => {
+                own == number
+                    && a.iter()
+                        .map(|(name, _)| name)
+                        .eq(b.iter().map(|(name, _)| name))
+            }
+            (CallBlock::MoveTo(_, own), CallBlock::MoveTo(_, feed)) => own == feed,
+            _ => self == other,
         }
     }
 
@@ -57,7 +101,7 @@ impl CallBlock {
                 arguments.iter().any(|(place, _)| *place == 2)
             }
             CallBlock::Cycle(_, parameters) => parameters.iter().any(|(q, _)| *q == 305),
-            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => false,
+            CallBlock::MoveTo(..) | CallBlock::SaveResult(..) | CallBlock::Compute(_) => false,
         }
     }
 }
@@ -145,7 +189,7 @@ impl CallSequence {
 }
 
 /// A sequence of native calls, with the number of moves that each makes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CallSequence {
     /// First position, reached in the plane and then downwards: the end of the path's first move.
     pub first: Vec3,
@@ -158,4 +202,37 @@ pub struct CallSequence {
     pub guards: Vec<Guard>,
     /// Touch settings, if the calls do not state them.
     pub reach: ProbeTable,
+    /// Words that follow results, by block and word, with the terms that shift them.
+    pub shifted: Vec<(usize, usize, Vec<ShiftTerm>)>,
+    /// Values that the program computes between the cycles, by the index of the assignment.
+    pub computed: Vec<Option<Computed>>,
+}
+
+/// Place of a value in a program that computes between native cycles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Computed {
+    /// A result that a call measures.
+    Measured(Stored),
+    /// A variable that the program computes.
+    Register(usize),
+}
+
+impl CallSequence {
+    /// Terms that shift a word of a block.
+    pub fn shifts(&self, block: usize, word: usize) -> &[ShiftTerm] {
+        let of =
+            |(own, other, _): &&(usize, usize, Vec<ShiftTerm>)| (*own, *other) == (block, word);
+        self.shifted
+            .iter()
+            .find(of)
+            .map_or(&[], |(.., terms)| terms)
+    }
+
+    /// Variable of a value that the program measures or computes.
+    pub fn stored_value(&self, assignment: usize) -> Option<Stored> {
+        match self.computed.get(assignment).copied().flatten()? {
+            Computed::Measured(stored) => Some(stored),
+            Computed::Register(register) => Some(Stored::Kept(register)),
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use crate::formula::{CycleRotation, Formula, Variable};
 use crate::geom::Vec3;
 use crate::num::tidy;
-use crate::path::Path;
+use crate::path::{CallBlock, CallSequence, Path, Quantity, ShiftTerm, Shifts};
 
 /// Results that a cycle follows: those of earlier cycles and relations, each by its index in the joined path.
 #[derive(Clone, Debug, Default)]
@@ -15,34 +15,57 @@ pub struct Dependencies {
     /// Centre of that rotation in the work coordinate system of the nominal part, mm.
     pub about: Vec3,
     /// Sizes that the cycle follows, each with the sensitivity of its moves.
-    pub sizes: Vec<(usize, SizeSensitivity)>,
+    pub sizes: Vec<(usize, Sensitivity)>,
+    /// Whether the cycle is native: its sensitivities follow when its calls are final ([`CycleTransform::sense`]), also those to positions.
+    pub native: bool,
 }
 
-/// Derivative of the path's positions by one size, mm per mm.
+/// Largest deviation from linearity that counts as rounding, mm.
+const EVEN: f64 = 1e-7;
+
+/// Derivative of a path by one followed value, mm per mm.
 #[derive(Clone, Debug, Default)]
-pub struct SizeSensitivity {
+pub struct Sensitivity {
     /// Derivative of the start.
     pub start: Vec3,
     pub moves: Vec<Vec3>,
+    /// Derivatives of the words in each block of its native calls.
+    pub words: Vec<Vec<f64>>,
 }
 
-impl SizeSensitivity {
-    /// Compares the paths for the smallest, the nominal and the largest size, each `by` mm apart. `None` if the paths differ otherwise, or if the moves are not
-    /// linear in the size.
-    pub fn of(less: &Path, path: &Path, more: &Path, by: f64) -> Option<SizeSensitivity> {
-        /// Largest deviation from linearity that counts as rounding, mm.
-        const EVEN: f64 = 1e-7;
+/// Followed value of a native cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FollowedValue {
+    /// Coordinate of the origin.
+    Place(usize),
+    /// A size, by its index among the followed sizes.
+    Size(usize),
+}
+
+impl Sensitivity {
+    /// Compares the paths for the smallest, the nominal and the largest value, each `by` mm apart. `None` if the paths differ otherwise, or if moves or words are
+    /// not linear in the value. For a size the formula must stay the same, too: a position is in none.
+    pub fn of(
+        [less, path, more]: [&Path; 3],
+        by: f64,
+        value: FollowedValue,
+    ) -> Option<Sensitivity> {
+        let is_size = matches!(value, FollowedValue::Size(_));
         let same = |other: &Path| {
             let moves = path.moves.iter().zip(&other.moves);
             let touches = path.touches.iter().zip(&other.touches);
             path.moves.len() == other.moves.len()
                 && path.touches.len() == other.touches.len()
                 && path.start.is_some() == other.start.is_some()
-                && path.formula.computes_as(&other.formula)
+                && (!is_size || path.formula.computes_as(&other.formula))
                 && moves.into_iter().all(|(a, b)| {
-                    (a.feed, a.purpose, a.step) == (b.feed, b.purpose, b.step)
-                        && a.arc.is_none()
-                        && b.arc.is_none()
+                    let arcs = match (a.arc, b.arc) {
+                        (None, None) => true,
+                        // An arc moves with its ends.
+                        (Some(a), Some(b)) => !is_size && (a.sweep - b.sweep).abs() < EVEN,
+                        _ => false,
+                    };
+                    (a.feed, a.purpose, a.step) == (b.feed, b.purpose, b.step) && arcs
                 })
                 && touches.into_iter().all(|(a, b)| {
                     a.vector.distance(b.vector) < EVEN
@@ -63,59 +86,38 @@ impl SizeSensitivity {
             (Some(less), Some(own), Some(more)) => rate(less, own, more)?,
             _ => Vec3::ZERO,
         };
-        Some(SizeSensitivity {
+        Some(Sensitivity {
             start,
             moves: moves.collect::<Option<_>>()?,
+            words: word_rates([less, path, more].map(|path| path.calls.as_deref()), by)?,
         })
     }
 }
 
-/// A variable that shifts a position along an axis, with its factor.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShiftTerm {
-    pub by: Variable,
-    /// Factor of the variable: mm if the variable has no unit, else a plain number.
-    pub factor: f64,
-    /// Whether the factor is a length.
-    pub length: bool,
-    /// Largest absolute value of the variable.
-    most: f64,
-}
-
-/// Terms that shift a position along X, Y and Z.
-pub type Shifts = [Vec<ShiftTerm>; 3];
-
-/// A position without any shift.
-pub const NO_SHIFT: &Shifts = &[const { Vec::new() }; 3];
-
-/// Largest shift of a position along X, Y and Z, mm.
-pub fn most(shifts: &Shifts) -> Vec3 {
-    let along = |axis: usize| {
-        shifts[axis]
-            .iter()
-            .map(|term| (term.factor * term.most).abs())
-            .sum()
+/// Derivatives of the words of native calls. `None` if the calls differ otherwise, or if a word is not linear.
+fn word_rates(calls: [Option<&CallSequence>; 3], by: f64) -> Option<Vec<Vec<f64>>> {
+    let [Some(less), Some(own), Some(more)] = calls else {
+        return calls.iter().all(Option::is_none).then(Vec::new);
     };
-    Vec3::new(along(0), along(1), along(2))
-}
-
-/// Largest change of the distance between the two ends of a move, mm, for these shifts of the ends.
-pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
-    let factor = |of: &[ShiftTerm], by: Variable| {
-        of.iter()
-            .find(|term| term.by == by)
-            .map_or(0.0, |term| term.factor)
-    };
-    let along = |axis: usize| {
-        let (a, b) = (&from[axis], &to[axis]);
-        let left = a
-            .iter()
-            .filter(|term| b.iter().all(|other| other.by != term.by));
-        left.chain(b)
-            .map(|term| (factor(b, term.by) - factor(a, term.by)).abs() * term.most)
-            .sum()
-    };
-    Vec3::new(along(0), along(1), along(2)).length()
+    if less.blocks.len() != own.blocks.len() || more.blocks.len() != own.blocks.len() {
+        return None;
+    }
+    let blocks = (0..own.blocks.len()).map(|i| {
+        let [less, own, more] = [less, own, more].map(|calls| &calls.blocks[i].0);
+        if !own.is_like(less) || !own.is_like(more) {
+            return None;
+        }
+        let [less, own, more] = [less, own, more].map(CallBlock::values);
+        let words = less.into_iter().zip(own).zip(more);
+        let rate = |((less, own), more): ((Quantity, Quantity), Quantity)| {
+            let values = [less, own, more].map(Quantity::value);
+            let rate = tidy((values[2] - values[1]) / by);
+            let even = ((values[2] - values[1]) - (values[1] - values[0])).abs() <= EVEN;
+            (even && (rate == 0.0 || matches!(own, Quantity::Length(_)))).then_some(rate)
+        };
+        words.map(rate).collect::<Option<Vec<f64>>>()
+    });
+    blocks.collect()
 }
 
 /// A result that a cycle follows, with the variable that holds its deviation from nominal, mm or degrees.
@@ -145,7 +147,8 @@ pub struct CycleTransform {
     pub follows: Vec<Dependency>,
     shift: [Option<ShiftTerm>; 3],
     turn: Option<(CycleRotation<Variable>, DependencyLimits)>,
-    sizes: Vec<(ShiftTerm, SizeSensitivity)>,
+    /// Followed sizes; of a native cycle also positions.
+    sensed: Vec<(FollowedValue, ShiftTerm, Sensitivity)>,
 }
 
 /// Names of the variables that shift an axis.
@@ -184,12 +187,18 @@ impl CycleTransform {
                 off,
                 axis: Some(axis),
             });
-            own.shift[axis] = Some(ShiftTerm {
+            let term = ShiftTerm {
                 by: off,
                 factor: 1.0,
                 length: false,
                 most: reaches.position,
-            });
+            };
+            if follows.native {
+                let value = FollowedValue::Place(axis);
+                own.sensed.push((value, term, Sensitivity::default()));
+            } else {
+                own.shift[axis] = Some(term);
+            }
         }
         if let Some((result, direction)) = follows
             .rotation
@@ -219,7 +228,7 @@ impl CycleTransform {
                 reaches,
             ));
         }
-        for ((result, along), name) in follows.sizes.into_iter().zip(GROWTHS) {
+        for (n, ((result, along), name)) in follows.sizes.into_iter().zip(GROWTHS).enumerate() {
             let Some(off) = known(result).or_else(|| formula.shift(result, name)) else {
                 continue;
             };
@@ -228,7 +237,8 @@ impl CycleTransform {
                 off,
                 axis: None,
             });
-            own.sizes.push((
+            own.sensed.push((
+                FollowedValue::Size(n),
                 ShiftTerm {
                     by: off,
                     factor: 1.0,
@@ -250,9 +260,38 @@ impl CycleTransform {
         self.shift
             .iter()
             .flatten()
-            .chain(self.sizes.iter().map(|(term, _)| term))
+            .chain(self.sensed.iter().map(|(_, term, _)| term))
             .map(|term| term.by)
             .chain(turn)
+    }
+
+    /// Whether the position follows a result along an axis.
+    pub fn follows_axis(&self, axis: usize) -> bool {
+        self.follows.iter().any(|follow| follow.axis == Some(axis))
+    }
+
+    /// Followed values of a native cycle, each with the variable that holds its deviation.
+    pub fn followed(&self) -> impl Iterator<Item = (FollowedValue, Variable)> {
+        self.sensed.iter().map(|(value, term, _)| (*value, term.by))
+    }
+
+    /// Takes the sensitivities of a native cycle, in the order of [`CycleTransform::followed`].
+    pub fn sense(&mut self, sensitivities: Vec<Sensitivity>) {
+        for ((.., own), known) in self.sensed.iter_mut().zip(sensitivities) {
+            *own = known;
+        }
+    }
+
+    /// Terms that shift a word of a block of its native calls.
+    pub fn word_shifts(&self, block: usize, word: usize) -> Vec<ShiftTerm> {
+        let term = |(_, term, own): &(FollowedValue, ShiftTerm, Sensitivity)| {
+            let rate = *own.words.get(block)?.get(word)?;
+            (rate != 0.0).then_some(ShiftTerm {
+                factor: rate,
+                ..*term
+            })
+        };
+        self.sensed.iter().filter_map(term).collect()
     }
 
     /// Rotation of the cycle, if it follows a direction.
@@ -260,12 +299,12 @@ impl CycleTransform {
         self.turn.as_ref().map(|(turn, _)| turn)
     }
 
-    /// Shift of a position of the cycle. `along` picks the derivative of that position by a size.
-    pub fn shifts(&self, place: Vec3, along: impl Fn(&SizeSensitivity) -> Vec3) -> Shifts {
+    /// Shift of a position of the cycle. `along` picks the derivative of that position by a followed value.
+    pub fn shifts(&self, place: Vec3, along: impl Fn(&Sensitivity) -> Vec3) -> Shifts {
         let mut shifts = self
             .shift
             .map(|term| term.into_iter().collect::<Vec<ShiftTerm>>());
-        for (term, own) in &self.sizes {
+        for (_, term, own) in &self.sensed {
             let rate = along(own);
             for axis in (0..3).filter(|axis| rate[*axis] != 0.0) {
                 shifts[axis].push(ShiftTerm {

@@ -9,19 +9,19 @@ mod follow;
 mod parameter;
 mod repeat;
 mod set_up;
+mod shift;
 mod surface;
 mod tracer;
 
-pub use calls::{CallBlock, CallSequence, Guard, Off, ProbeTable, Quantity, Stored};
+pub use calls::{CallBlock, CallSequence, Computed, Guard, Off, ProbeTable, Quantity, Stored};
 pub use feature::{
     Bore, Corner, Feature, FeatureKind, FieldValue, Pairs, Point, Setting, Side, Spread, Top,
     TwoCircles, WallFeature, WallTouch,
 };
-pub use follow::{
-    Dependencies, Dependency, DependencyLimits, ShiftTerm, Shifts, SizeSensitivity, far_apart, most,
-};
+pub use follow::{Dependencies, Dependency, DependencyLimits, FollowedValue, Sensitivity};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use set_up::{CycleSegment, DatumSource, LINK_STEP, LinkBlock, RelationSegment, ResultSource};
+pub use shift::{ShiftTerm, Shifts, far_apart, most};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 

@@ -6,9 +6,8 @@ use crate::formula::{
     self, Coordinate, Formula, Limits, OffsetCorrection, Operand, ResultCheck, ResultDef, Role,
 };
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::follow::{
-    CycleTransform, DependencyLimits, NO_SHIFT, Shifts, SizeSensitivity, most,
-};
+use crate::path::follow::{CycleTransform, DependencyLimits, Sensitivity};
+use crate::path::shift::{NO_SHIFT, Shifts, most};
 use crate::path::{
     CallBlock, Dependencies, Feature, Feed, Feeds, Move, MovePurpose, Path, Stored, Surface, Touch,
     ZERO_LENGTH,
@@ -153,28 +152,31 @@ impl Path {
         });
     }
 
-    /// Adds the moves of all cycles. Between two cycles the probe goes up to `clear` along the tool axis, across, and down. `feeds` apply to all cycles. `way`
-    /// makes the block of a link move, if all cycles are native.
-    pub fn connect(&mut self, clear: f64, feeds: Feeds, way: Option<LinkBlock<'_>>) {
+    /// Adds the moves of all cycles. Between two cycles the probe goes up to `clear` along the tool axis, across, and down. `feeds` apply to all cycles. `link`
+    /// makes the block of a link move, if all cycles are native, and tells whether their program computes.
+    pub fn connect(&mut self, clear: f64, feeds: Feeds, link: Option<(LinkBlock<'_>, bool)>) {
         let mut members = std::mem::take(&mut self.cycles);
         let first = &members.first().expect("a set-up has a cycle").path;
         (self.start, self.frame, self.feeds) = (first.start, first.frame, Some(feeds));
         let tops: Option<Vec<f64>> = members.iter().map(|member| member.path.top).collect();
         self.top = tops.and_then(|tops| tops.into_iter().reduce(f64::max));
-        for CycleSegment {
-            path,
-            moves,
-            touches,
-            placing,
-            ..
-        } in &mut members
+        for (
+            m,
+            CycleSegment {
+                path,
+                moves,
+                touches,
+                placing,
+                ..
+            },
+        ) in members.iter_mut().enumerate()
         {
             let before = self.moves.len();
             let start = path
                 .start
                 .or(path.moves.first().map(|step| step.to))
                 .unwrap_or_default();
-            let first = |along: &SizeSensitivity| {
+            let first = |along: &Sensitivity| {
                 if path.start.is_some() {
                     along.start
                 } else {
@@ -182,8 +184,9 @@ impl Path {
                 }
             };
             self.leads_to(path, clear, placing.shifts(start, first));
-            if let Some(way) = way {
-                self.take_calls(path, before, way);
+            if let Some((way, computes)) = link {
+                let compute = computes.then_some(CallBlock::Compute(m));
+                self.take_calls((path, placing), before, (way, compute));
             }
             let begin = self.moves.len();
             self.take_moves(path, touches.start);
@@ -198,6 +201,9 @@ impl Path {
                     };
                     placing.shifts(end, |along| along.moves[i])
                 }));
+        }
+        if let (Some((_, true)), Some(whole)) = (link, &mut self.calls) {
+            whole.blocks.push((CallBlock::Compute(members.len()), 0));
         }
         self.cycles = members;
         if self
@@ -472,20 +478,48 @@ impl Path {
     }
 
     /// Adds the calls of the next cycle after those of the link moves. Its moves begin at this index and replace its own first move.
-    fn take_calls(&mut self, path: &Path, before: usize, way: LinkBlock<'_>) {
+    fn take_calls(
+        &mut self,
+        (path, placing): (&Path, &CycleTransform),
+        before: usize,
+        (way, compute): (LinkBlock<'_>, Option<CallBlock>),
+    ) {
         let Some(own) = &path.calls else { return };
         let Some(whole) = &mut self.calls else {
             self.calls = Some(own.clone());
             return;
         };
-        let mut from = self.moves[before - 1].to;
+        whole.blocks.extend(compute.map(|compute| (compute, 0)));
+        let (mut from, mut was) = (self.moves[before - 1].to, &self.shifts[before - 1]);
         let first = path.moves.first().map(|step| step.to);
-        for to in self.moves[before..].iter().map(|step| step.to).chain(first) {
-            let axes = [0, 1, 2].map(|axis| (to[axis] - from[axis]).abs() > ZERO_LENGTH);
-            whole.blocks.push((way(to, axes), 1));
-            from = to;
+        let shifts = first.map(|first| placing.shifts(first, |along| along.moves[0]));
+        let links = self.moves[before..].iter().map(|step| step.to);
+        let links = links.zip(&self.shifts[before..]);
+        for (to, shifts) in links.chain(first.zip(shifts.as_ref())) {
+            let axes = [0, 1, 2].map(|axis| {
+                (to[axis] - from[axis]).abs() > ZERO_LENGTH || shifts[axis] != was[axis]
+            });
+            let block = way(to, axes);
+            for word in 0..block.values().len() {
+                let terms = block.axis_of(word).map(|axis| &shifts[axis]);
+                if let Some(terms) = terms.filter(|terms| !terms.is_empty()) {
+                    whole
+                        .shifted
+                        .push((whole.blocks.len(), word, terms.clone()));
+                }
+            }
+            whole.blocks.push((block, 1));
+            (from, was) = (to, shifts);
         }
-        whole.blocks.extend(own.blocks.iter().cloned());
+        for (i, (block, moves)) in own.blocks.iter().enumerate() {
+            for word in 0..block.values().len() {
+                let terms = placing.word_shifts(i, word);
+                if !terms.is_empty() {
+                    whole.shifted.push((whole.blocks.len(), word, terms));
+                }
+            }
+            whole.blocks.push((block.clone(), *moves));
+        }
         whole.guards.extend(own.guards.iter().cloned());
     }
 
@@ -586,8 +620,18 @@ impl Path {
             members => members
                 .iter()
                 .flat_map(|member| of(&member.path, member.results.clone()))
+                .chain(self.computed_results())
                 .collect(),
         }
+    }
+
+    /// Variables of the results that the program of native cycles computes: those of relations.
+    fn computed_results(&self) -> impl Iterator<Item = (usize, Stored)> {
+        let all = self.relations.iter().flat_map(|own| own.results.clone());
+        all.filter_map(|index| {
+            let variable = self.formula.results[index].variable?;
+            Some((index, self.calls.as_ref()?.stored_value(variable.index())?))
+        })
     }
 
     /// Storage of each result by its name, in a set-up with the name of its cycle.

@@ -44,7 +44,7 @@ pub(super) fn contact(faces: &[Face], from: [f64; 3], along: [f64; 3], far: f64)
 }
 
 /// The contacts of a program, with this much of SET_UP in the probe table.
-fn judged(text: &str, faces: &[Face], set_up: f64) -> Vec<[f64; 3]> {
+pub(super) fn judged(text: &str, faces: &[Face], set_up: f64) -> Vec<[f64; 3]> {
     let mut made = Vec::new();
     for (number, given) in blocks(text) {
         let q: BTreeMap<u32, f64> = given.into_iter().collect();

@@ -65,13 +65,55 @@ pub(super) fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
 }
 
 /// The simulated control: the ball centre (x, y, tip) at each contact that counts.
-struct Judge<'p> {
+pub(super) struct Judge<'p> {
     faces: &'p [Face],
     at: [f64; 3],
-    contacts: Vec<[f64; 3]>,
+    pub contacts: Vec<[f64; 3]>,
 }
 
-impl Judge<'_> {
+impl<'p> Judge<'p> {
+    pub fn of(faces: &'p [Face]) -> Self {
+        Judge {
+            faces,
+            at: [f64::NAN; 3],
+            contacts: Vec::new(),
+        }
+    }
+
+    /// Runs a call. Returns what the macro measures, by hand from its contacts: X, Y, Z as 0 to 2, the size as 3.
+    pub fn measure(&mut self, number: u32, letters: &BTreeMap<char, f64>) -> Vec<(i64, f64)> {
+        let before = self.contacts.len();
+        self.call(number, letters);
+        let outside = letters.get(&'R').is_some_and(|r| *r > 0.0);
+        let size = |far: f64| far.abs() + if outside { -2.0 } else { 2.0 } * BALL;
+        match (number, &self.contacts[before..]) {
+            (9811, [one]) => {
+                let axis = ['X', 'Y', 'Z']
+                    .iter()
+                    .position(|axis| letters.contains_key(axis));
+                let axis = axis.unwrap();
+                // A touch in the plane ends a radius before the surface.
+                let towards = (letters[&['X', 'Y', 'Z'][axis]] - one[axis]).signum();
+                let mut place = *one;
+                place[axis] += if axis == 2 { 0.0 } else { towards * BALL };
+                (0..3).map(|i| (i as i64, place[i])).collect()
+            }
+            (9812, [one, two]) => {
+                let axis = usize::from(letters.contains_key(&'Y'));
+                vec![
+                    (axis as i64, (one[axis] + two[axis]) / 2.0),
+                    (3, size(two[axis] - one[axis])),
+                ]
+            }
+            (9814, [front, back, left, right]) => vec![
+                (0, (left[0] + right[0]) / 2.0),
+                (1, (front[1] + back[1]) / 2.0),
+                (3, size(right[0] - left[0])),
+            ],
+            _ => Vec::new(),
+        }
+    }
+
     /// From the current position towards another one, and `q` past it.
     fn touch(&mut self, place: [f64; 3], q: f64) -> [f64; 3] {
         let way: Vec<f64> = (0..3).map(|i| place[i] - self.at[i]).collect();
@@ -212,11 +254,7 @@ fn called(line: &str) -> Option<(u32, BTreeMap<char, f64>)> {
 
 /// Runs the calls of a program: the contacts as ball centres in work coordinates.
 fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
-    let mut judge = Judge {
-        faces,
-        at: [f64::NAN; 3],
-        contacts: Vec::new(),
-    };
+    let mut judge = Judge::of(faces);
     for (number, letters) in text.lines().filter_map(called) {
         judge.call(number, &letters);
     }
@@ -850,18 +888,9 @@ fn the_program_runs_as_its_plan() {
     ] {
         let job = own(cycle, "fanuc", &[("part.offset", list([0.3, 0.2, 0.1]))]);
         let plan = plan(&job).unwrap();
-        // A run reads heights as those of the ball centre.
-        let lower = match cycle == two {
-            true => with(
-                &with(&job, "cycle.point1", list([-30.0, 0.0, -10.0 - BALL])),
-                "cycle.point2",
-                list([30.0, 0.0, -10.0 - BALL]),
-            ),
-            false => with(&job, "cycle.origin", list([0.0, 0.0, -BALL])),
-        };
         let start = plan.moves[0].to;
         let known = RunInputs {
-            feature: Feature::of(&lower),
+            feature: Feature::of(&job),
             start: Some([start[0], start[1], start[2] + 20.0]),
             ..RunInputs::default()
         };

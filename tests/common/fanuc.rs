@@ -39,6 +39,9 @@ pub struct Control {
     moving: bool,
 }
 
+/// Runs a macro by its number and letters. Returns the variables that it sets.
+pub type Macros<'m> = &'m mut dyn FnMut(u32, &[(char, f64)]) -> Vec<(i64, f64)>;
+
 impl Control {
     pub fn new(haas: bool, inch: bool) -> Self {
         Control {
@@ -71,6 +74,11 @@ impl Control {
     }
 
     pub fn run(&mut self, text: &str) -> Result<(), String> {
+        self.run_with(text, &mut |number, _| panic!("P{number} is not installed"))
+    }
+
+    /// Runs a program that calls macros.
+    pub fn run_with(&mut self, text: &str, macros: Macros<'_>) -> Result<(), String> {
         let lines: Vec<&str> = text.lines().collect();
         // The operator loads the tool that the program states.
         let stated = |line: &&str| {
@@ -159,6 +167,22 @@ impl Control {
                     assert!((100..=147).contains(&number), "{full}");
                     self.variables.insert(number, value);
                 }
+            } else if let Some(call) = code.strip_prefix("G65 P") {
+                let mut words = call.split(' ');
+                let number = words.next().and_then(|number| number.parse().ok());
+                let number = number.ok_or_else(|| fail("no number of a macro"))?;
+                let letter = |word: &str| {
+                    let point = word.contains('.');
+                    let value = self.value(&word[1..]).map_err(|e| fail(&e))?;
+                    let letter = word.chars().next().unwrap();
+                    if point {
+                        Ok((letter, value))
+                    } else {
+                        Err(fail("no point"))
+                    }
+                };
+                let letters = words.map(letter).collect::<Result<Vec<_>, _>>()?;
+                self.variables.extend(macros(number, &letters));
             } else if let Some(target) = code.strip_prefix("GOTO ") {
                 next = label(target)?;
             } else if let Some(rest) = code.strip_prefix('#') {

@@ -12,9 +12,7 @@ use crate::control::shop::place;
 use crate::control::{
     FROM_THE_TOP, Program, Request, ResultOutput, number, orientation_line, write_summary,
 };
-use crate::formula::{
-    CheckKind, Coordinate, Formula, Node, NodeId, OffsetCorrection, Op, ResultCheck,
-};
+use crate::formula::{CheckKind, Coordinate, Formula, OffsetCorrection, ResultCheck};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, ShiftTerm, Touch};
@@ -29,23 +27,8 @@ const BLOCKED: &str = "9003";
 const WRONG_START: &str = "9005";
 const INCOMPLETE: &str = "9006";
 
-/// First label of the states in which nothing moves, and first label of implausible results; the numbers of their alarms likewise.
+/// First label of the states in which nothing moves, and the number of their first alarm.
 const STATES: (usize, usize) = (9031, 11);
-const RESULTS: (usize, usize) = (9061, 31);
-
-/// Change of an assignment's value in a full turn, degrees, if it is an angle or half of one.
-fn full_turn(formula: &Formula, node: NodeId) -> Option<i32> {
-    let is_angle = |node: NodeId| matches!(formula.node(node), Node::Atan2(..));
-    match formula.node(node) {
-        Node::Atan2(..) => Some(360),
-        Node::Binary(Op::Divide, angle, two)
-            if is_angle(angle) && formula.node(two) == Node::Number(2.0) =>
-        {
-            Some(180)
-        }
-        _ => None,
-    }
-}
 
 fn variable(n: usize) -> String {
     let mut text = String::new();
@@ -99,23 +82,7 @@ impl Notation for Variables<'_> {
     }
 
     fn decimals(&self, x: f64) -> usize {
-        decimals(x)
-    }
-}
-
-/// Decimals of a constant: it has at most eight digits, including a zero before the point.
-fn decimals(x: f64) -> usize {
-    let whole = x.abs().max(1.0).log10().floor() as usize + 1;
-    number::DIGITS.saturating_sub(whole)
-}
-
-/// A constant with its decimal point.
-fn constant(x: f64) -> String {
-    let text = decimal(x, decimals(x));
-    if text.contains('.') {
-        text
-    } else {
-        format!("{text}.")
+        number::decimals(x)
     }
 }
 
@@ -289,9 +256,6 @@ impl SkipWriter<'_> {
 /// Alarm if another tool than the probe is in the spindle.
 const OTHER_TOOL: &str = "THE PROBE IS ANOTHER TOOL";
 
-/// Longest text of an alarm, characters.
-const LONGEST_ALARM: usize = 26;
-
 impl Moves for SkipWriter<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let request = self.request;
@@ -462,7 +426,7 @@ impl Moves for SkipWriter<'_> {
             );
         });
         // ATAN gives 0 to 360 or −180 to 180 degrees, by parameter 6004 bit 0: the formula needs the latter.
-        if let Some(turn) = full_turn(formula, formula.assignments[index].node) {
+        if let Some(turn) = formula.full_turn(formula.assignments[index].node) {
             let angle = variable(self.registers.variables[index]);
             w.line(&format!(
                 "IF [{angle} GT {}] THEN {angle}={angle}-{turn}",
@@ -487,41 +451,20 @@ impl Moves for SkipWriter<'_> {
     fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
         let register = self.registers.variables[question.variable.index()];
         let (off, limit) = self.deviation(formula, question);
-        let result = &formula.results[question.result];
-        let off_or_out = if matches!(
-            question.asked,
-            CheckKind::Plausibility | CheckKind::FollowLimit
-        ) {
-            "OFF"
-        } else {
-            "OUT"
-        };
-        let says = |code: &str| {
-            format!(
-                "{} {off_or_out}, SEE {}",
-                code.to_ascii_uppercase(),
-                variable(register)
-            )
-        };
-        // The variable tells the cycle if there is no room for both.
-        let whole = says(&formula.code(result));
-        let alarm = [whole, says(result.code)]
-            .into_iter()
-            .find(|says| says.len() <= LONGEST_ALARM);
-        let alarm = alarm.unwrap_or_else(|| says("result"));
+        let alarm = question.alarm(formula, &variable(register), number::LONGEST_ALARM);
         if question.stops(self.request.writes_offset()) {
             // An alarm would stop the ball on its way.
             if self.may_still_move {
                 self.halt(w);
             }
-            let label = RESULTS.0 + self.implausible.len();
+            let label = number::RESULTS.0 + self.implausible.len();
             w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
             self.implausible.push(alarm);
         } else {
             // A message and a wait, not an alarm.
             let good = self.label();
             w.line(&format!("IF [ABS[{off}] LE {limit}] GOTO {good}"));
-            self.wait(w, &format!("#3006={}({alarm})", RESULTS.1));
+            self.wait(w, &format!("#3006={}({alarm})", number::RESULTS.1));
             w.line(&format!("N{good}"));
         }
     }
@@ -568,7 +511,7 @@ impl Moves for SkipWriter<'_> {
             };
             let value = print::variable(&Variables(self.registers), formula, measured);
             let nominal = nominal / self.request.scale;
-            let nominal = match decimal(nominal, decimals(nominal)).as_str() {
+            let nominal = match decimal(nominal, number::decimals(nominal)).as_str() {
                 "0" => String::new(),
                 text if text.starts_with('-') => format!("-[{text}]"),
                 text => format!("-{text}"),
@@ -669,13 +612,7 @@ impl SkipWriter<'_> {
     fn deviation(&self, formula: &Formula, check: &ResultCheck) -> (String, String) {
         let unit = if check.angle { 1.0 } else { self.request.scale };
         let register = self.registers.checked(formula, check);
-        let [limit, wanted] = [check.limit, check.expected].map(|x| constant(x / unit));
-        let off = match wanted.as_str() {
-            "0." => variable(register),
-            text if text.starts_with('-') => format!("{}-[{text}]", variable(register)),
-            text => format!("{}-{text}", variable(register)),
-        };
-        (off, limit)
+        number::deviation(&variable(register), check, unit)
     }
 
     /// Whether a program that writes waits for the operator before the write.
@@ -805,11 +742,11 @@ impl SkipWriter<'_> {
         }
         for (i, says) in self.implausible.iter().enumerate() {
             exit(
-                &(RESULTS.0 + i).to_string(),
+                &(number::RESULTS.0 + i).to_string(),
                 None,
                 forget.as_ref(),
                 true,
-                &format!("{}({says})", RESULTS.1 + i),
+                &format!("{}({says})", number::RESULTS.1 + i),
             );
         }
     }

@@ -58,12 +58,12 @@ fn dialog(number: u16, q: u16) -> &'static str {
     }
 }
 
-/// Writes a cycle.
+/// Writes a cycle. A parameter whose value follows a result is set to the Q parameter that holds it.
 pub(super) fn write(
     w: &mut Writer<'_>,
     request: &Request<'_>,
     number: u16,
-    parameters: &[(u16, Quantity)],
+    (parameters, shifted): (&[(u16, Quantity)], &[Option<usize>]),
 ) {
     match number {
         247 => w.line("CYCL DEF 247 DATUM SETTING ~"),
@@ -74,12 +74,13 @@ pub(super) fn write(
     }
     for (i, (q, quantity)) in parameters.iter().enumerate() {
         let continues = if i + 1 < parameters.len() { " ~" } else { "" };
-        let value = match quantity {
-            Quantity::Length(mm) | Quantity::Feed(mm) => {
+        let value = match (shifted[i], quantity) {
+            (Some(holds), _) => format!("Q{holds}"),
+            (None, Quantity::Length(mm) | Quantity::Feed(mm)) => {
                 decimal(mm / request.scale, request.post.decimals(request.scale))
             }
-            Quantity::Angle(degrees) => decimal(*degrees, 4),
-            Quantity::Plain(x) => decimal(*x, 0),
+            (None, Quantity::Angle(degrees)) => decimal(*degrees, 4),
+            (None, Quantity::Plain(x)) => decimal(*x, 0),
         };
         let sign = if value.starts_with('-') { "" } else { "+" };
         w.continued(&format!(

@@ -6,10 +6,11 @@
 //! counter-clockwise from the plus side of the first axis, a ridge from its plus side.
 
 use crate::control::native::heidenhain::row;
-use crate::control::native::rows::{Probed, Shape};
-use crate::control::native_run::machine::{Alarm, Machine};
+use crate::control::native::rows::{Is, Probed, Shape};
+use crate::control::native_run::machine::{Alarm, ExecutedMove, Machine, MoveKind};
 use crate::control::native_run::{direction_at, value};
-use crate::geom::Vec3;
+use crate::formula::fit_circle;
+use crate::geom::{Vec2, Vec3};
 use crate::path::{Arc, ProbeTable};
 
 /// Runs a cycle by its Q parameters, lengths in mm and angles in degrees. `None` if the cycle or one of its parameters is unknown.
@@ -21,6 +22,7 @@ pub fn run(
 ) -> Option<Result<(), Alarm>> {
     let row = row(number)?;
     let of = row.probed(Vec3::NAN, |q| value(parameters, q))?;
+    let before = machine.made.len();
     let mut cycle = Cycle {
         of,
         reach,
@@ -40,7 +42,62 @@ pub fn run(
         (Shape::Width, false) => cycle.ridge(),
         (Shape::Surface, _) => cycle.surface(),
     };
-    Some(done.and_then(|()| cycle.ends()))
+    let done = done.and_then(|()| cycle.ends());
+    if done.is_ok() {
+        let contacts = contacts(&machine.made[before..]);
+        let found = measured(&of, &contacts, machine.radius);
+        let outputs = row.results.iter().filter_map(|(q, is)| {
+            let value = match is {
+                Is::Center(axis) => found.center[*axis],
+                Is::Along => found.center[of.axis],
+                Is::Size(n) => found.sizes[*n],
+                _ => return None,
+            };
+            Some((*q, value))
+        });
+        machine.outputs.extend(outputs);
+    }
+    Some(done)
+}
+
+/// Ball centres at the touches.
+fn contacts(made: &[ExecutedMove]) -> Vec<Vec3> {
+    let touches = made
+        .iter()
+        .filter(|made| made.kind == MoveKind::SingleTouch);
+    touches.filter_map(|made| Some(made.met?.center)).collect()
+}
+
+/// Centre and sizes of a feature from its touches, in their order. What they do not give stays as in the call.
+fn measured(of: &Probed, contacts: &[Vec3], radius: f64) -> Probed {
+    let mut found = *of;
+    let balls = if of.inside { 2.0 } else { -2.0 } * radius;
+    // Two opposite walls: the first on the plus side.
+    let mut walls = |axis: usize, n: usize, [one, two]: [Vec3; 2]| {
+        found.center[axis] = f64::midpoint(one[axis], two[axis]);
+        found.sizes[n] = (one[axis] - two[axis]).abs() + balls;
+    };
+    match (of.shape, contacts) {
+        (Shape::Surface, [one]) => {
+            let axis = of.axis;
+            let towards = if axis == 2 { -1.0 } else { of.towards };
+            found.center[axis] = one[axis] + towards * radius;
+        }
+        (Shape::Width, [one, two]) => walls(of.axis, 0, [*one, *two]),
+        (Shape::Rectangle, [x, y, opposite_x, opposite_y]) => {
+            walls(0, 0, [*x, *opposite_x]);
+            walls(1, 1, [*y, *opposite_y]);
+        }
+        (Shape::Bore, points) => {
+            let plane: Vec<Vec2> = points.iter().map(|point| point.truncate()).collect();
+            if let Some(fit) = fit_circle(&plane) {
+                found.center = fit.center.extend(of.center.z);
+                found.sizes[0] = 2.0 * fit.radius + balls;
+            }
+        }
+        _ => {}
+    }
+    found
 }
 
 struct Cycle<'c, 'w> {

@@ -6,6 +6,7 @@
 
 mod blocks;
 pub mod cycles;
+mod functions;
 mod plan_calls;
 pub mod read;
 

@@ -1,5 +1,6 @@
 //! Plans the 4xx cycles for a feature and the path that they make: cycles that only measure, or cycles that write a row of the preset table.
 
+use super::functions::Functions;
 use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::native::heidenhain::{ROWS, row};
@@ -36,12 +37,13 @@ pub static CYCLES: NativeCycles = NativeCycles {
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: true,
+        computes: true,
         saved_variables: FREE,
     },
 };
 
 /// Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: no cycle uses them.
-const FREE: (usize, usize) = (1600, 1999);
+const FREE: (usize, usize) = (1600, 1979);
 
 /// The path of native cycles for a job's feature, with the calls. 1411 is the documented path itself.
 fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
@@ -597,7 +599,8 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
     w.names_cycle(0);
     w.leaves_move();
     let mut made = 1;
-    for (block, moves) in &own.blocks {
+    let mut functions = Functions::of(request, own);
+    for (index, (block, moves)) in own.blocks.iter().enumerate() {
         if *moves > 0 {
             w.names_cycle(made);
             made += moves;
@@ -607,17 +610,22 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
         }
         match block {
             CallBlock::Cycle(number, parameters) => {
-                blocks::write(&mut w, request, *number, parameters)
+                let values = parameters.iter().map(|(_, value)| value.value());
+                let values: Vec<f64> = values.map(|mm| mm / request.scale).collect();
+                let shifted = functions.shift(&mut w, index, &values);
+                blocks::write(&mut w, request, *number, (parameters, &shifted))
             }
             CallBlock::SaveResult(variable, output) => {
                 w.line(&format!("FN 0: Q{variable} = +Q{output}"))
             }
+            CallBlock::Compute(m) => functions.compute(&mut w, *m),
             // The next cycle moves there.
             CallBlock::MoveTo(..) | CallBlock::Call(..) => {}
         }
     }
     w.shop(&place::PROBE_OFF);
     w.shop(&place::FOOT);
+    functions.end(&mut w);
     w.parts(&["END PGM ", name, " ", unit]);
     w.finish()
 }

@@ -177,8 +177,17 @@ pub enum Given {
     Value(Value),
     /// PREDEF: the value in GLOBAL DEF.
     Predef,
-    /// Neither a number, nor a text in quotes, nor PREDEF.
+    /// A Q parameter, and whether it is negated.
+    Parameter(u32, bool),
+    /// None of these.
     Unreadable,
+}
+
+/// `+Q1980`, `-Q5`.
+fn parameter(text: &str) -> Option<Given> {
+    let name = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let number = name.strip_prefix(['Q', 'q'])?.parse().ok()?;
+    Some(Given::Parameter(number, text.starts_with('-')))
 }
 
 /// Every `Q1116=+10` and `QS1116="10H7"` of a block.
@@ -213,7 +222,7 @@ pub fn assignments(block: &str) -> Vec<(u32, Given)> {
             _ if quoted => Given::Value(Value::Text(plain)),
             Some(x) if x.is_finite() => Given::Value(Value::Number(x)),
             _ if plain.eq_ignore_ascii_case("PREDEF") => Given::Predef,
-            _ => Given::Unreadable,
+            _ => parameter(&plain).unwrap_or(Given::Unreadable),
         };
         found.push((number, given));
     }

@@ -187,6 +187,7 @@ pub fn planned(
         stored,
         guards,
         reach,
+        ..CallSequence::default()
     }));
     Ok(path)
 }

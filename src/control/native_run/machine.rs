@@ -76,8 +76,10 @@ pub struct Machine<'w> {
     /// Calibrated radius of the ball.
     pub radius: f64,
     /// Height of the ball centre above the programmed heights: the ball radius if the length ends at the tip.
-    tip: f64,
+    pub tip: f64,
     pub made: Vec<ExecutedMove>,
+    /// Outputs of the cycles so far, by number: mm or degrees.
+    pub outputs: Vec<(u16, f64)>,
     count: usize,
 }
 
@@ -89,6 +91,7 @@ impl<'w> Machine<'w> {
             radius,
             tip,
             made: Vec::new(),
+            outputs: Vec::new(),
             count: 0,
         }
     }

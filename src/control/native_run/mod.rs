@@ -1,5 +1,6 @@
 //! Native cycles with known paths: their planning, and their simulation on another part.
 
+pub mod compute;
 pub mod executed_path;
 pub mod machine;
 
@@ -75,6 +76,8 @@ pub struct CycleLinking {
     pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> CallBlock,
     /// Whether each cycle moves to the next one at its clearance height, so that the program needs no block for the link move.
     pub links_itself: bool,
+    /// Whether the program computes with the results between the cycles: relations, and positions and sizes that follow them.
+    pub computes: bool,
     /// First and last of the variables that save results before the next cycle overwrites them.
     pub saved_variables: (usize, usize),
 }

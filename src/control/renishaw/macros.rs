@@ -43,7 +43,17 @@ pub fn run(number: u32, letters: &[(char, f64)], m: &mut Machine<'_>) -> Option<
     })
 }
 
+/// Outputs of a macro after X, Y and Z: the size.
+const SIZE: u16 = 3;
+
 impl Machine<'_> {
+    /// Stores a measured position as X, Y and Z. The height is that of the tip.
+    fn stores_place(&mut self, center: Vec3) {
+        let place = center - Vec3::Z * self.tip;
+        let outputs = (0..3).map(|axis| (axis as u16, place[axis]));
+        self.outputs.extend(outputs);
+    }
+
     /// Both touches towards a position, up to `q` past it, and the retract. Returns the ball centre at the second contact. The contact is expected `before` the
     /// position: by a radius if the position is on the surface.
     pub fn measure(&mut self, place: Vec3, q: f64, before: f64) -> Result<Vec3, Alarm> {
@@ -107,12 +117,15 @@ impl Call<'_> {
             .filter(|_| given.iter().flatten().count() == 1);
         let (axis, mut surface) = (axis.ok_or(Alarm::Arguments)?, m.at);
         surface[axis] = given[axis].unwrap_or(surface[axis]);
-        m.measure(surface, self.q, if axis == 2 { 0.0 } else { m.radius })
-            .map(drop)
+        let before = if axis == 2 { 0.0 } else { m.radius };
+        let start = m.at;
+        let contact = m.measure(surface, self.q, before)?;
+        m.stores_place(contact + (surface - start).normalize() * before);
+        Ok(())
     }
 
-    /// Minus side first, then plus; both end at the start.
-    fn along(&self, m: &mut Machine<'_>, axis: usize, size: f64) -> Result<f64, Alarm> {
+    /// Minus side first, then plus; both end at the start. Returns the middle and the measured size.
+    fn along(&self, m: &mut Machine<'_>, axis: usize, size: f64) -> Result<[f64; 2], Alarm> {
         let start = m.at;
         let (at, beside) = (
             |off: f64, height: f64| {
@@ -122,7 +135,7 @@ impl Call<'_> {
             },
             self.depth_and_clearance(m),
         );
-        let mut sum = 0.0;
+        let (mut sum, mut apart) = (0.0, 0.0);
         for side in [-1.0, 1.0] {
             if let Some((height, clearance)) = beside {
                 let radius = if clearance > 0.0 { m.radius } else { -m.radius };
@@ -131,7 +144,8 @@ impl Call<'_> {
                 m.watched(at(off, height), Some(SEARCH), Alarm::Unexpected)?;
             }
             let height = m.at.z;
-            sum += m.measure(at(side * size / 2.0, height), self.q, m.radius)?[axis];
+            let contact = m.measure(at(side * size / 2.0, height), self.q, m.radius)?[axis];
+            (sum, apart) = (sum + contact, apart + side * contact);
             let up = Vec3::new(m.at.x, m.at.y, start.z);
             m.plain(up, MoveKind::Rapid, None)?;
             // After the first side straight back over the middle, after the second at the very end.
@@ -140,7 +154,9 @@ impl Call<'_> {
             }
         }
         m.plain(start, MoveKind::Rapid, None)?;
-        Ok(sum / 2.0)
+        let outside = self.get('Z').is_some() && self.get('R').is_none_or(|r| r >= 0.0);
+        let balls = if outside { -2.0 } else { 2.0 } * m.radius;
+        Ok([sum / 2.0, apart + balls])
     }
 
     fn width(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
@@ -149,15 +165,22 @@ impl Call<'_> {
             (None, Some(y)) => (1, y),
             _ => return Err(Alarm::Arguments),
         };
-        self.along(m, axis, size).map(drop)
+        let [middle, measured] = self.along(m, axis, size)?;
+        let mut center = m.at;
+        center[axis] = middle;
+        m.stores_place(center);
+        m.outputs.push((SIZE, measured));
+        Ok(())
     }
 
     /// Y first, then X through the measured middle.
     fn round(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (size, start) = (self.need('D')?, m.at);
-        let middle = self.along(m, 1, size)?;
-        m.plain(Vec3::new(start.x, middle, start.z), MoveKind::Rapid, None)?;
-        self.along(m, 0, size)?;
+        let [y, _] = self.along(m, 1, size)?;
+        m.plain(Vec3::new(start.x, y, start.z), MoveKind::Rapid, None)?;
+        let [x, measured] = self.along(m, 0, size)?;
+        m.stores_place(Vec3::new(x, y, start.z));
+        m.outputs.push((SIZE, measured));
         m.plain(start, MoveKind::Rapid, None)
     }
 
@@ -211,8 +234,9 @@ impl Call<'_> {
 
     fn turned_surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (a, d) = (self.need('A')?, self.need('D')?);
-        m.measure(m.at + direction_at(a) * d, self.q, m.radius)
-            .map(drop)
+        let contact = m.measure(m.at + direction_at(a) * d, self.q, m.radius)?;
+        m.stores_place(contact + direction_at(a) * m.radius);
+        Ok(())
     }
 
     /// Out to a side, down, touch, up and back. Beside a feature Q counts from the nominal ball centre at the contact, not from the surface.

@@ -7,6 +7,8 @@ pub(super) mod post;
 use crate::control::native_run::NativeCycles;
 use crate::path::Stored;
 
+pub(super) use plan_calls::LINKING;
+
 /// Native cycles of a control with this notation of work offsets and results.
 pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> NativeCycles {
     let word = |number, letter: &str| format!("P{number} {letter}");
@@ -18,6 +20,6 @@ pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> Nativ
         word,
         name,
         corrects_tools: true,
-        several: plan_calls::LINKING,
+        several: LINKING,
     }
 }

@@ -66,6 +66,7 @@ fn run(block: &CallBlock, _: ProbeTable, machine: &mut Machine<'_>) -> Option<Re
 pub const LINKING: CycleLinking = CycleLinking {
     way: protected,
     links_itself: false,
+    computes: true,
     saved_variables: (FIRST_KEPT, LAST_KEPT),
 };
 
@@ -770,12 +771,8 @@ impl<'a> CallPlan<'a> {
         let number = if self.request.switches_on { 9832 } else { 9833 };
         let blocks = vec![(CallBlock::Call(number, Vec::new()), 0)];
         path.calls = Some(Box::new(CallSequence {
-            first: Vec3::ZERO,
             blocks,
-            counts: Vec::new(),
-            stored: Vec::new(),
-            guards: Vec::new(),
-            reach: ProbeTable::default(),
+            ..CallSequence::default()
         }));
         Ok(path)
     }
@@ -874,7 +871,7 @@ impl<'a> CallPlan<'a> {
             blocks: blocks.into_iter().zip(counted).collect(),
             stored,
             guards,
-            reach: ProbeTable::default(),
+            ..CallSequence::default()
         }));
         Ok(path)
     }

@@ -4,15 +4,18 @@
 //! marked [I] in the docs: Q as the overtravel less the ball radius, R as the side clearance less it, heights as those of the stylus tip, the variables #101
 //! and following for results that the next call overwrites.
 
+use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::Writer;
+use crate::control::native_run::compute;
 use crate::control::shop::place;
 use crate::control::{
     Program, Request, ResultOutput, check_orientation, check_plain_moves, check_rotary,
     check_write, number, offsets, orientation_line, rotation_field, write_summary,
 };
 use crate::form::Checker;
+use crate::formula::Formula;
 use crate::num::decimal;
-use crate::path::{CallBlock, CallSequence, Off, Quantity, STATED_RAPID, Stored};
+use crate::path::{CallBlock, CallSequence, Off, Quantity, STATED_RAPID, ShiftTerm, Stored};
 use crate::text::text;
 
 /// Notation of macro calls on a control.
@@ -88,7 +91,10 @@ const BY_DIRECTIONS: [u32; 3] = [9821, 9822, 9823];
 fn called(own: &CallSequence) -> impl Iterator<Item = u32> {
     own.blocks.iter().filter_map(|(block, _)| match block {
         CallBlock::Call(number, _) => Some(*number),
-        CallBlock::Cycle(..) | CallBlock::MoveTo(..) | CallBlock::SaveResult(..) => None,
+        CallBlock::Cycle(..)
+        | CallBlock::MoveTo(..)
+        | CallBlock::SaveResult(..)
+        | CallBlock::Compute(_) => None,
     })
 }
 
@@ -191,7 +197,8 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
         approach(request, own, calls, &mut w);
     }
     let mut made = 1;
-    for (block, moves) in &own.blocks {
+    let mut alarms = Vec::new();
+    for (index, (block, moves)) in own.blocks.iter().enumerate() {
         if *moves > 0 {
             w.names_cycle(made);
             made += moves;
@@ -208,7 +215,11 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
                 }
                 let words: Vec<(char, String)> = letters
                     .iter()
-                    .map(|(letter, quantity)| (*letter, word(&w, *quantity)))
+                    .enumerate()
+                    .map(|(i, (letter, quantity))| {
+                        let value = word(&w, *quantity);
+                        (*letter, shifted(request, own, value, own.shifts(index, i)))
+                    })
                     .collect();
                 w.line(&call(calls, *number, &words));
             }
@@ -221,6 +232,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
                     [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);
                 w.parts(&[&kept, "=", &output]);
             }
+            CallBlock::Compute(m) => computes(&mut w, request, own, *m, &mut alarms),
         }
     }
     if probes && calls.switches {
@@ -234,10 +246,104 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     w.shop(&place::PROBE_OFF);
     w.shop(&place::FOOT);
     w.line(calls.end);
+    for (i, says) in alarms.iter().enumerate() {
+        w.line(&format!("N{}", number::RESULTS.0 + i));
+        w.shop(&place::ON_ALARM);
+        w.line(&format!("#3000={}({says})", number::RESULTS.1 + i));
+    }
     if let Some(tape) = calls.tape {
         w.line(tape);
     }
     w.finish()
+}
+
+/// Prints expressions over the variables of results and computed values.
+struct Variables<'a> {
+    own: &'a CallSequence,
+    name: fn(Stored) -> String,
+}
+
+impl Notation for Variables<'_> {
+    const BRACKETS: (char, char) = ('[', ']');
+    const ATAN: [&'static str; 3] = print::ATAN_OF_TWO;
+
+    fn variable(&self, _: &Formula, index: usize, out: &mut String) {
+        out.extend(self.own.stored_value(index).map(self.name));
+    }
+
+    /// The macros keep no contacts.
+    fn trigger(&self, _: usize, _: usize, _: &mut String) {}
+
+    fn decimals(&self, x: f64) -> usize {
+        number::decimals(x)
+    }
+}
+
+impl<'a> Variables<'a> {
+    fn of(request: &Request<'_>, own: &'a CallSequence) -> Option<Self> {
+        let name = request.post.own?.name;
+        Some(Variables { own, name })
+    }
+
+    fn named(&self, index: usize) -> String {
+        self.own
+            .stored_value(index)
+            .map_or_else(String::new, self.name)
+    }
+}
+
+/// Value of a word that these terms shift: `[60.+#110]`.
+fn shifted(
+    request: &Request<'_>,
+    own: &CallSequence,
+    value: String,
+    terms: &[ShiftTerm],
+) -> String {
+    match Variables::of(request, own).filter(|_| !terms.is_empty()) {
+        Some(variables) => {
+            let terms = print::shift(&variables, &request.path.formula, terms, request.scale);
+            format!("[{value}{terms}]")
+        }
+        None => value,
+    }
+}
+
+/// Computes what the results so far give, and stops before cycle `m` if it follows a result that is beyond its limit.
+fn computes(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    own: &CallSequence,
+    m: usize,
+    alarms: &mut Vec<String>,
+) {
+    let Some(variables) = Variables::of(request, own) else {
+        return;
+    };
+    let formula = &request.path.formula;
+    let (values, checks) = compute::before(request, own, m);
+    for (index, _) in values {
+        let (variable, node) = (variables.named(index), formula.assignments[index].node);
+        w.build(|text| {
+            text.push_str(&variable);
+            text.push('=');
+            print::print_to(text, &variables, formula, node, request.scale);
+        });
+        // ATAN gives 0 to 360 or −180 to 180 degrees, by parameter 6004 bit 0: the formula needs the latter.
+        if let Some(turn) = formula.full_turn(node) {
+            let half = turn / 2;
+            w.line(&format!(
+                "IF [{variable} GT {half}] THEN {variable}={variable}-{turn}"
+            ));
+        }
+    }
+    for check in checks {
+        let unit = if check.angle { 1.0 } else { request.scale };
+        let variable = variables.named(check.variable.index());
+        let (off, limit) = number::deviation(&variable, &check, unit);
+        let label = number::RESULTS.0 + alarms.len();
+        w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
+        alarms.push(check.alarm(formula, &variable, number::LONGEST_ALARM));
+    }
 }
 
 /// Variables of the results: `#135 center.x`.

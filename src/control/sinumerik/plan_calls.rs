@@ -51,6 +51,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: false,
+        computes: false,
         saved_variables: (1, LAST_REGISTER),
     },
 };
@@ -109,7 +110,7 @@ fn run(block: &CallBlock, _: ProbeTable, machine: &mut Machine<'_>) -> Option<Re
             cycles::run(*number, &values, machine)
         }
         CallBlock::MoveTo(to, _) => Some(machine.watched(*to, None, Alarm::Obstructed)),
-        CallBlock::Call(..) | CallBlock::SaveResult(..) => None,
+        CallBlock::Call(..) | CallBlock::SaveResult(..) | CallBlock::Compute(_) => None,
     }
 }
 

@@ -105,6 +105,7 @@ impl Reader {
     #[cold]
     pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
         self.called_macro = true;
+        self.renishaw = false;
         let place = self.here();
         let call = if self.okuma { "CALL O" } else { "G65 P" };
         let name = |p: f64| call.to_owned() + &crate::num::decimal(p, 0);
@@ -121,11 +122,13 @@ impl Reader {
                 self.native("G65", arguments(), place);
             }
             Some(p) if self.run.is_some() && self.makes_macro(p as u32, &arguments()) => {
+                self.renishaw = true;
                 self.listed(&name(p), arguments(), place);
                 block.axis_words_are_data = true;
             }
             Some(p @ (9810.0 | 8810.0)) => {
                 self.listed(&name(p), arguments(), place);
+                self.renishaw = self.run.is_some();
                 (block.axis_words_are_data, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
@@ -134,6 +137,11 @@ impl Reader {
                 if !self.path.centroid || p < 9834.0 =>
             {
                 self.listed(&name(p), arguments(), place);
+                self.renishaw = self.run.is_some();
+                // These measure nothing: the outputs are those of the macro before.
+                if p % 1000.0 > 833.0 {
+                    self.outputs.clear();
+                }
             }
             Some(p) => {
                 self.forget(7);

@@ -129,6 +129,12 @@ impl<'t> RunInputs<'t> {
                 ("part", job) if job.get("cycle").is_some() => {
                     known.feature = feature(job, &mut checker)
                 }
+                ("part", value) if value.get("cycles").is_some() => {
+                    let message = text!(
+                        "The part of a run is a job with one cycle: where the walls and top sides of several features end is not known"
+                    );
+                    checker.error("set-up-unsupported", "part.cycles", message);
+                }
                 ("part", value) => {
                     checker.object(Some(value), "part");
                     known.touch = trip(value.get("at"), "part.at", &mut checker);

@@ -297,6 +297,8 @@ pub fn run_program(text: &str, known: &RunInputs<'_>) -> Toolpath {
     });
     reader.path.centroid = kind == ControlKind::Centroid;
     reader.path.post = known.post.or(kind.post());
+    let native = known.post.and_then(crate::control::find);
+    reader.output_name = native.and_then(|post| Some(post.own?.name));
     reader.files = files.clone();
     reader.path.start = reader.place;
     reader.log = Some(Log::default());
@@ -588,7 +590,7 @@ impl Run<'_> {
             if std::mem::take(&mut self.reader.called_macro)
                 && let Some(macros) = &mut self.macros
             {
-                macros.forget_shared();
+                self.reader.ends_macro(macros);
             }
             while at >= bytes.len() && self.calls.is_inside() {
                 let next = Place {

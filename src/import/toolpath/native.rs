@@ -169,15 +169,17 @@ pub(super) fn letters(code: &[u8]) -> Vec<(String, f64)> {
     found
 }
 
-/// The Q parameters of a block.
-pub(super) fn q_parameters(text: &str) -> Vec<(String, f64)> {
+/// The Q parameters of a block, by their numbers. `known` has the value of a parameter.
+pub(super) fn q_parameters(text: &str, known: impl Fn(u32) -> f64) -> Vec<(u32, f64)> {
     let value = |given: Given| match given {
         Given::Value(Value::Number(x)) => x,
+        Given::Parameter(number, false) => known(number),
+        Given::Parameter(number, true) => -known(number),
         _ => f64::NAN,
     };
     assignments(text)
         .into_iter()
-        .map(|(number, given)| (format!("Q{number}"), value(given)))
+        .map(|(number, given)| (number, value(given)))
         .collect()
 }
 

@@ -8,15 +8,40 @@ use crate::control::renishaw::macros::{self, FAST};
 use crate::control::sinumerik::cycles;
 use crate::geom::{Plane, Vec3};
 use crate::import::toolpath::count::{Count, count};
+use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::TriggerAt;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::rules::Touch;
+use crate::import::toolpath::script::Machine as Interpreter;
+use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
+use crate::path::Stored;
 
 /// Assumed ball radius, mm.
 const RADIUS: f64 = 3.0;
 
+/// First variable that Renishaw's macros use: read in the macros.
+const FIRST_OF_MACROS: i32 = 116;
+
 impl Reader {
+    /// Variables after a macro. One of Renishaw's leaves those below its own unchanged, and sets its outputs.
+    #[cold]
+    pub(super) fn ends_macro(&mut self, macros: &mut Interpreter) {
+        if !self.renishaw {
+            self.outputs.clear();
+            return macros.forget_shared();
+        }
+        macros.variables.forget_from(FIRST_OF_MACROS);
+        let unit = self.modes.scale * self.inch();
+        for (output, value) in &self.outputs {
+            let output = Stored::Output(usize::from(*output));
+            let name = self.output_name.map(|name| name(output));
+            if let Some(key) = name.and_then(|name| Key::named(&name)) {
+                macros.variables.set(key, Value::of(value / unit));
+            }
+        }
+    }
+
     /// Makes the moves of a macro by its number and letters, in the program's units; false if they are unknown.
     #[cold]
     pub(super) fn makes_macro(&mut self, number: u32, arguments: &[(String, f64)]) -> bool {
@@ -47,7 +72,7 @@ impl Reader {
             .map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x }))
             .collect();
         let counted: fn(&mut Self) -> &mut Count = |reader| &mut reader.own_moves;
-        let made = self.makes_own((!goes).then_some(counted), |machine| {
+        let made = self.makes_own((!goes).then_some(counted), true, |machine| {
             macros::run(number, &letters, machine)
         });
         if made {
@@ -84,9 +109,11 @@ impl Reader {
             Some((number, if is_length(place) { x * scale } else { *x }))
         };
         let places: Vec<(u16, f64)> = arguments.iter().filter_map(value).collect();
-        self.makes_own(Some(|reader| &mut reader.measuring_cycles), |machine| {
-            cycles::run(number, &places, machine)
-        })
+        self.makes_own(
+            Some(|reader| &mut reader.measuring_cycles),
+            false,
+            |machine| cycles::run(number, &places, machine),
+        )
     }
 
     /// Whether the position of the stylus is known.
@@ -95,7 +122,7 @@ impl Reader {
     }
 
     /// Millimetres in a unit of stored positions.
-    fn inch(&self) -> f64 {
+    pub(super) fn inch(&self) -> f64 {
         if self.path.metric == Some(false) {
             25.4
         } else {
@@ -103,10 +130,12 @@ impl Reader {
         }
     }
 
-    /// Runs a call with the known inputs and takes over its moves; false if the call is unknown. Counts a note for its kind.
+    /// Runs a call with the known inputs and takes over its moves; false if the call is unknown. Counts a note for its kind. `to_tip`: whether heights of the
+    /// program are those of the stylus tip, otherwise of the ball centre.
     pub(super) fn makes_own(
         &mut self,
         counted: Option<fn(&mut Self) -> &mut Count>,
+        to_tip: bool,
         run: impl FnOnce(&mut Machine<'_>) -> Option<Result<(), Alarm>>,
     ) -> bool {
         let in_plane = self.modes.plane.or(self.plane).unwrap_or_default() == Plane::G17;
@@ -122,12 +151,9 @@ impl Reader {
             .as_ref()
             .map_or(RADIUS, |feature| feature.radius());
         let (inch, mut answers) = (self.inch(), self.answers());
-        let mut machine = Machine::new(
-            Vec3::from_array(self.place) * inch,
-            radius,
-            0.0,
-            &mut answers,
-        );
+        let tip = if to_tip { radius } else { 0.0 };
+        let center = Vec3::from_array(self.place) * inch + Vec3::Z * tip;
+        let mut machine = Machine::new(center, radius, tip, &mut answers);
         let Some(end) = run(&mut machine) else {
             return false;
         };
@@ -135,9 +161,22 @@ impl Reader {
         if end == Err(Alarm::Arguments) {
             return false;
         }
-        let (made, at) = (machine.made, machine.at);
+        let (mut made, at) = (machine.made, machine.at - Vec3::Z * tip);
+        // A protected move leaves the outputs of the macro before.
+        if counted.is_some() {
+            self.outputs = machine.outputs;
+        }
         let first = self.path.len();
-        made.iter().for_each(|made| self.own_move(made, inch));
+        for made in &mut made {
+            made.to.z -= tip;
+            if let Some(met) = &mut made.met {
+                met.center.z -= tip;
+            }
+            if let Some(arc) = &mut made.arc {
+                arc.center.z -= tip;
+            }
+            self.own_move(made, inch);
+        }
         self.place = (at / inch).to_array();
         if let Some(log) = &mut self.log {
             log.own.push((first, self.path.len()));

@@ -20,6 +20,7 @@ use crate::import::toolpath::system::System;
 use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
+use crate::path::Stored;
 
 /// Modes saved by M70 and M73.
 #[derive(Clone)]
@@ -99,6 +100,12 @@ pub(super) struct Reader {
     pub called_external: bool,
     /// Whether a macro with its own locals was called: G65.
     pub called_macro: bool,
+    /// Whether it is one of Renishaw's.
+    pub renishaw: bool,
+    /// Outputs of the last native cycle, by number: mm or degrees.
+    pub outputs: Vec<(u16, f64)>,
+    /// Name of the variable with an output of Renishaw's macros, if the control is known.
+    pub output_name: Option<fn(Stored) -> String>,
     /// Whether the current call is an Okuma's.
     pub okuma: bool,
     /// Whether the block returns to the caller of its subprogram.

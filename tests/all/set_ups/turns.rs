@@ -595,7 +595,14 @@ fn what_cannot_follow_is_refused_at_its_place() {
             errors(&grbl)
         );
     }
-    let own = GROWN.replace("\"linuxcnc\"", "\"haas\", \"form\": \"cycle\"");
+    // Native cycles probe along the axes.
+    let turned = r#"{ "format": 2, "control": { "post": "haas", "form": "cycle" }, "limits": { "angle": 1 },
+      "cycles": [
+        { "name": "A", "type": "hole" }, { "name": "B", "type": "hole", "origin": [80, 0, 0] },
+        { "name": "POCKET", "type": "internal-rectangle", "origin": [0, 150, 0], "rotation": "=ROW.rotation" } ],
+      "relations": [{ "name": "ROW", "type": "line", "of": ["A", "B"] }] }"#;
+    assert_eq!(errors(turned), ["set-up-unsupported cycles[2].rotation"]);
+    let own = GROWN.replace("\"linuxcnc\"", "\"sinumerik\", \"form\": \"cycle\"");
     assert!(
         errors(&own).contains(&"set-up-unsupported cycles[1].width".to_owned()),
         "{:?}",

@@ -311,6 +311,12 @@ fn what_is_known_is_checked() {
             ("wrong-type", "start"),
         ]
     );
+    // A part of several cycles was taken for no part.
+    let several = r#"{ "part": { "cycles": [{ "type": "hole" }] } }"#;
+    let value =
+        touchpath::form::Value::from(&serde_json::from_str::<serde_json::Value>(several).unwrap());
+    let error = RunInputs::of(&value).unwrap_err();
+    assert_eq!(error.findings[0].path, "part.cycles");
 }
 
 /// A change of the coordinate system under the stylus changes its coordinates to new numbers, or makes them unknown.

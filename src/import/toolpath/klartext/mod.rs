@@ -7,8 +7,7 @@ mod datum;
 mod path;
 mod probe;
 
-use crate::control::heidenhain::read::{Given, assignments, numbered_blocks};
-use crate::form::Value;
+use crate::control::heidenhain::read::numbered_blocks;
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::LineAction;
 use crate::import::toolpath::key::Key;
@@ -136,7 +135,7 @@ impl Klartext {
             }
             ["CYCL", "CALL", ..] => self.cycle("CYCL CALL", text, reader),
             _ if self.datum(&words, reader) => {}
-            ["CYCL", "DEF", ..] => self.assign_all(text),
+            ["CYCL", "DEF", ..] => drop(self.assign_all(text)),
             ["FN", number, ..] => {
                 return self.function(number.trim_end_matches(':'), text, at, reader);
             }
@@ -177,8 +176,8 @@ impl Klartext {
 
     /// A native cycle: its parameters are set, and its end is unknown.
     fn cycle(&mut self, name: &str, text: &str, reader: &mut Reader) {
-        self.assign_all(text);
-        self.notes_clearance(text, reader);
+        let given = self.assign_all(text);
+        notes_clearance(&given, reader);
         // Results that a cycle leaves.
         for number in (115..=119).chain(150..=199).chain(950..=999) {
             self.machine
@@ -186,31 +185,22 @@ impl Klartext {
                 .set(parameter(number), Computed::Unknown);
         }
         let here = reader.here();
-        let given = q_parameters(text);
         let made = name
             .strip_prefix("TCH PROBE ")
             .is_some_and(|number| probe::makes(number, &given, reader));
+        let named = given.into_iter().map(|(q, value)| (format!("Q{q}"), value));
+        let given = named.collect();
         if made {
             reader.listed(name, given, here);
+            let scale = reader.modes.scale * reader.inch();
+            for (q, value) in std::mem::take(&mut reader.outputs) {
+                let value = Computed::of(value / scale);
+                self.machine.variables.set(parameter(q), value);
+            }
             return;
         }
         reader.forget(7);
         reader.native(name, given, here);
-    }
-
-    /// At the clearance height of a cycle, Q260, nothing is in the way, by its manual.
-    fn notes_clearance(&self, text: &str, reader: &mut Reader) {
-        let scale = reader.modes.scale;
-        let moves = reader.path.len();
-        let height = assignments(text)
-            .into_iter()
-            .find_map(|(number, given)| match given {
-                Given::Value(Value::Number(height)) if number == 260 => Some(height),
-                _ => None,
-            });
-        if let (Some(height), Some(log)) = (height, &mut reader.log) {
-            log.clearances.push((moves, height * scale));
-        }
     }
 
     /// Notes that the spindle is started or stopped.
@@ -228,17 +218,15 @@ impl Klartext {
         }
     }
 
-    /// Sets the parameters of a cycle.
-    fn assign_all(&mut self, text: &str) {
-        for (number, given) in assignments(text) {
-            let value = match given {
-                Given::Value(Value::Number(x)) => x,
-                _ => f64::NAN,
-            };
-            self.machine
-                .variables
-                .set(parameter(number), Computed::of(value));
+    /// Sets the parameters of a cycle, and returns them.
+    fn assign_all(&mut self, text: &str) -> Vec<(u32, f64)> {
+        let known = |number| self.machine.variables.get(&parameter(number)).or_nan();
+        let given = q_parameters(text, known);
+        for (number, value) in &given {
+            let value = Computed::of(*value);
+            self.machine.variables.set(parameter(number), value);
         }
+        given
     }
 
     /// `Q5 = +Q1 * ( 5 + SIN +30 )`.
@@ -368,6 +356,17 @@ impl Klartext {
             None => self.strange(reader),
         }
         Next::Below
+    }
+}
+
+/// At the clearance height of a cycle, Q260, nothing is in the way, by its manual.
+fn notes_clearance(given: &[(u32, f64)], reader: &mut Reader) {
+    let (scale, moves) = (reader.modes.scale, reader.path.len());
+    let height = given
+        .iter()
+        .find(|(number, height)| *number == 260 && height.is_finite());
+    if let (Some((_, height)), Some(log)) = (height, &mut reader.log) {
+        log.clearances.push((moves, height * scale));
     }
 }
 

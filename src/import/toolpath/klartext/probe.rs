@@ -14,7 +14,7 @@ const REACH: ProbeTable = ProbeTable {
 };
 
 /// Makes the moves of a cycle; false if they are unknown, or a parameter is missing.
-pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool {
+pub fn makes(number: &str, given: &[(u32, f64)], reader: &mut Reader) -> bool {
     let Ok(cycle) = number.parse::<u16>() else {
         return false;
     };
@@ -27,20 +27,16 @@ pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool
         1.0
     };
     let call = native::find(&format!("TCH PROBE {number}"));
-    let is_length = |q: &str| {
-        call.and_then(|call| call.argument(q))
+    let is_length = |q: u32| {
+        call.and_then(|call| call.argument(&format!("Q{q}")))
             .is_some_and(|argument| argument.unit == Unit::Length)
     };
-    let value = |(q, x): &(String, f64)| {
-        let number = q
-            .strip_prefix('Q')?
-            .parse()
-            .ok()
-            .filter(|_| x.is_finite())?;
-        Some((number, if is_length(q) { x * inch } else { *x }))
+    let value = |(q, x): &(u32, f64)| {
+        let number = u16::try_from(*q).ok().filter(|_| x.is_finite())?;
+        Some((number, if is_length(*q) { x * inch } else { *x }))
     };
     let parameters: Vec<(u16, f64)> = given.iter().filter_map(value).collect();
-    reader.makes_own(Some(|reader| &mut reader.own_cycles), |machine| {
+    reader.makes_own(Some(|reader| &mut reader.own_cycles), false, |machine| {
         cycles::run(cycle, &parameters, REACH, machine)
     })
 }

@@ -380,6 +380,21 @@ impl Variables {
         self.globals.forget();
     }
 
+    /// Forgets the shared variables from a number on: a macro was called that uses none below it.
+    pub fn forget_from(&mut self, first: i32) {
+        let below = |key: &Key| matches!(key, Key::Number(n) if *n < first);
+        let kept: Vec<(Key, Value)> = self
+            .globals
+            .set
+            .iter()
+            .filter(|(key, _)| below(key))
+            .map(|(key, value)| (key.clone(), *value))
+            .collect();
+        self.globals.forget();
+        kept.into_iter()
+            .for_each(|(key, value)| self.globals.insert(key, value));
+    }
+
     /// Forgets all variables.
     pub fn forget(&mut self) {
         self.levels.iter_mut().for_each(Level::forget);

@@ -1,0 +1,161 @@
+//! Arithmetic of a program between native cycles: relations between results, and the shifts of cycles that follow results.
+
+use crate::control::Request;
+use crate::control::native_run::CycleLinking;
+use crate::formula::{Node, ResultCheck};
+use crate::path::{CallBlock, CallSequence, Computed, Path, Stored};
+
+/// Why a program cannot compute a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lack {
+    /// It needs this many variables.
+    Variables(usize),
+    /// No call stores what a cycle follows: the index of the cycle.
+    Followed(usize),
+}
+
+/// Gives a variable to every value that the program of a set-up computes: those of relations, of shifts, and what leads to them. Variables after the saved
+/// results are free. Returns the relations that it cannot compute, since no call stores their operands.
+pub fn allocate(path: &mut Path, several: CycleLinking) -> Result<Vec<usize>, Lack> {
+    let room = several.saved_variables;
+    let Some(own) = &path.calls else {
+        return Ok(Vec::new());
+    };
+    let saved = own.blocks.iter().filter_map(|(block, _)| match block {
+        CallBlock::SaveResult(variable, _) => Some(variable + 1),
+        _ => None,
+    });
+    let free = saved.max().unwrap_or(room.0);
+    let known = known(path);
+    let shifts = |m: usize| path.cycles[m].placing.shift_variables();
+    let not_known = |m: &usize| shifts(*m).any(|variable| !known.computes[variable.index()]);
+    if let Some(m) = (0..path.cycles.len()).find(not_known) {
+        return Err(Lack::Followed(m));
+    }
+    let mut wanted = vec![false; path.formula.assignments.len()];
+    for variable in (0..path.cycles.len()).flat_map(shifts) {
+        wanted[variable.index()] = true;
+    }
+    // The program checks what a cycle follows.
+    let follows = path.cycles.iter().flat_map(|own| &own.placing.follows);
+    for variable in follows.filter_map(|follow| path.formula.results[follow.result].variable) {
+        wanted[variable.index()] = true;
+    }
+    let mut lacking = Vec::new();
+    let relations = path.relations.iter().enumerate();
+    for (index, relation) in relations.filter(|_| several.computes) {
+        let results = &path.formula.results[relation.results.clone()];
+        let variables = results.iter().filter_map(|result| result.variable);
+        if variables
+            .clone()
+            .all(|variable| known.computes[variable.index()])
+        {
+            variables.for_each(|variable| wanted[variable.index()] = true);
+        } else {
+            lacking.push(index);
+        }
+    }
+    let (computed, last) = registers(path, &known, &wanted, free);
+    if last > room.1 {
+        return Err(Lack::Variables(last + 1 - room.0));
+    }
+    if let Some(own) = &mut path.calls {
+        own.computed = computed;
+    }
+    Ok(lacking)
+}
+
+/// Values that a program knows.
+struct Known {
+    /// Place of each value that a call stores, by assignment.
+    stored: Vec<Option<Stored>>,
+    /// Whether each value is stored, or follows from stored ones.
+    computes: Vec<bool>,
+}
+
+fn known(path: &Path) -> Known {
+    let formula = &path.formula;
+    let mut stored = vec![None; formula.assignments.len()];
+    for (result, place) in path.kept() {
+        if let Some(variable) = formula.results[result].variable {
+            stored[variable.index()] = Some(place);
+        }
+    }
+    let mut computes: Vec<bool> = Vec::with_capacity(stored.len());
+    for (assignment, stored) in formula.assignments.iter().zip(&stored) {
+        let mut all = true;
+        formula.each(assignment.node, &mut |node| {
+            all &= match node {
+                Node::Trigger { .. } | Node::Circle(..) => false,
+                Node::Variable(earlier) => computes[earlier.index()],
+                _ => true,
+            }
+        });
+        computes.push(all || stored.is_some());
+    }
+    Known { stored, computes }
+}
+
+/// Place of every value that leads to the wanted ones, and the last used variable. An intermediate value frees its variable after its last use.
+fn registers(
+    path: &Path,
+    known: &Known,
+    wanted: &[bool],
+    free: usize,
+) -> (Vec<Option<Computed>>, usize) {
+    let formula = &path.formula;
+    let mut needed = wanted.to_vec();
+    let mut last_use: Vec<usize> = (0..needed.len()).collect();
+    for i in (0..needed.len())
+        .rev()
+        .filter(|i| known.stored[*i].is_none())
+    {
+        if needed[i] {
+            formula.each(formula.assignments[i].node, &mut |node| {
+                if let Node::Variable(earlier) = node {
+                    needed[earlier.index()] = true;
+                    last_use[earlier.index()] = last_use[earlier.index()].max(i);
+                }
+            });
+        }
+    }
+    let (mut spare, mut next): (Vec<usize>, usize) = (Vec::new(), free);
+    let mut computed = vec![None; needed.len()];
+    for i in (0..needed.len()).filter(|i| needed[*i]) {
+        computed[i] = Some(match known.stored[i] {
+            Some(stored) => Computed::Measured(stored),
+            None => Computed::Register(spare.pop().unwrap_or_else(|| {
+                next += 1;
+                next - 1
+            })),
+        });
+        for (earlier, place) in computed[..i].iter().enumerate() {
+            if let Some(Computed::Register(register)) = place
+                && last_use[earlier] == i
+                && !wanted[earlier]
+            {
+                spare.push(*register);
+            }
+        }
+    }
+    (computed, next.max(1) - 1)
+}
+
+/// Values that a program computes before cycle `m`, in order, each with its variable; and its checks of what that cycle follows.
+pub fn before(
+    request: &Request<'_>,
+    own: &CallSequence,
+    m: usize,
+) -> (Vec<(usize, usize)>, Vec<ResultCheck>) {
+    let path = request.path;
+    let register = |i: usize| match own.computed.get(i).copied().flatten()? {
+        Computed::Register(register) => Some((i, register)),
+        Computed::Measured(_) => None,
+    };
+    let values = path.computed_by(m - 1).filter_map(register).collect();
+    let checks = match m < path.cycles.len() {
+        true => path.asked_before(m, &request.limits),
+        false => Vec::new(),
+    };
+    (values, checks)
+}

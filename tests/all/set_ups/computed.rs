@@ -1,0 +1,367 @@
+//! Native cycles whose program computes between them: relations, and positions and sizes that follow results. Judged by a simulated Fanuc with Renishaw's macros
+//! and a simulated TNC with the functions FN 0 to FN 13. Neither shares code with the crate. A third run is that of `run_program`.
+
+use std::collections::BTreeMap;
+
+use super::follows::{near, shown};
+use crate::common::fanuc::Control;
+use crate::common::{job, planned, with};
+use crate::tests::klartext_cycles::judged;
+use crate::tests::own_cycles::{Face, Judge};
+use touchpath::control::{POSTS, PostDef};
+use touchpath::form::Value;
+use touchpath::import::toolpath::{RunInputs, run_program};
+use touchpath::job::{Plan, convert_units, plan};
+
+/// A top, two bores and a groove: the bores follow the height, the second one also the first, and the groove its size.
+const FOLLOWING: &str = r#"{ "format": 2, "control": { "form": "cycle" }, "limits": { "position": 1, "size": 0.5 },
+  "cycles": [
+    { "name": "TOP", "type": "surface", "origin": [-35, 0, 0] },
+    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [0, 0, "=TOP.z"] },
+    { "name": "NEXT", "type": "hole", "diameter": 25, "origin": ["=BORE.center.x+60", "=BORE.center.y", "=TOP.z-2"] },
+    { "name": "SLOT", "type": "groove", "width": "=BORE.diameter+5", "origin": ["=BORE.center.x+130", 0, 0] } ],
+  "relations": [ { "name": "MID", "type": "mean", "of": ["BORE.diameter", "NEXT.diameter"] } ] }"#;
+
+/// Three bores with every kind of relation between them.
+const RELATED: &str = r#"{ "format": 2, "control": { "form": "cycle" },
+  "cycles": [
+    { "name": "A", "type": "hole", "diameter": 25, "origin": [0, 0, 0] },
+    { "name": "B", "type": "hole", "diameter": 25, "origin": [60, 0, 0] },
+    { "name": "C", "type": "hole", "diameter": 25, "origin": [30, -50, 0] } ],
+  "relations": [ RELATIONS ] }"#;
+
+const LINES: &str = r#"{ "name": "ROW", "type": "line", "of": ["B", "A"] }, { "name": "DOWN", "type": "line", "of": ["A", "C"] }"#;
+const CENTERS: &str = r#"{ "name": "MID", "type": "center", "of": ["A", "B", "C"] }, { "name": "STEP", "type": "difference", "of": ["A.diameter", "B.diameter"] }"#;
+const CIRCLE: &str = r#"{ "name": "PCD", "type": "pitch-circle", "of": ["A", "B", "C"] }"#;
+
+/// Controls whose program computes between native cycles.
+fn computing() -> impl Iterator<Item = &'static PostDef> {
+    POSTS
+        .iter()
+        .copied()
+        .filter(|post| post.own.is_some_and(|own| own.several.computes))
+}
+
+/// The job for a control, in units of its own, on a part with this offset and a first bore that is 0.2 mm larger.
+fn on_part(text: &str, post: &str, inch: bool, offset: [f64; 3]) -> Value {
+    let job = with(&job(text), "control.post", Value::Text(post.to_owned()));
+    let list = offset.map(Value::Number).to_vec();
+    let job = with(&job, "part", Value::Map(Vec::new()));
+    let job = with(&job, "part.offset", Value::List(list));
+    if inch {
+        convert_units(&job, "inch").unwrap()
+    } else {
+        job
+    }
+}
+
+/// The faces of that part, by hand: a stylus tip meets the top, the ball (radius 3) the others.
+fn faces(following: bool, [x, y, z]: [f64; 3]) -> Vec<Face> {
+    let bore = |at: [f64; 2]| Face::Circle([at[0] + x, at[1] + y], 12.5);
+    match following {
+        true => vec![
+            Face::Top(z),
+            bore([0.0, 0.0]),
+            bore([60.0, 0.0]),
+            Face::Wall([-1.0, 0.0], -(145.0 + x)),
+            Face::Wall([1.0, 0.0], 115.0 + x),
+        ],
+        false => vec![bore([0.0, 0.0]), bore([60.0, 0.0]), bore([30.0, -50.0])],
+    }
+}
+
+/// Where a run ended, its contacts in mm, and its variables by name.
+struct Ran {
+    contacts: Vec<[f64; 3]>,
+    variables: BTreeMap<String, f64>,
+    stopped: Option<String>,
+}
+
+/// A Fanuc with Renishaw's macros.
+fn run_macros(text: &str, post: &str, unit: f64, faces: &[Face]) -> Ran {
+    let base = if matches!(post, "haas" | "hurco") {
+        185
+    } else {
+        135
+    };
+    let lower = if post == "brother" { 1000 } else { 0 };
+    let mut control = Control::new(post == "haas", unit != 1.0);
+    let mut judge = Judge::of(faces);
+    let ended = control.run_with(text, &mut |number, letters| {
+        let in_mm = |(letter, value): &(char, f64)| (*letter, value * unit);
+        let outputs = judge.measure(number + lower, &letters.iter().map(in_mm).collect());
+        let variable = |(output, mm): (i64, f64)| (base + output, mm / unit);
+        outputs.into_iter().map(variable).collect()
+    });
+    ended.unwrap_or_else(|error| panic!("{post}: {error}\n{text}"));
+    let contacts = judge.contacts.iter();
+    Ran {
+        contacts: contacts.map(|[x, y, tip]| [*x, *y, tip + 3.0]).collect(),
+        variables: control
+            .variables
+            .iter()
+            .map(|(number, value)| (format!("#{number}"), *value))
+            .collect(),
+        stopped: control.alarm,
+    }
+}
+
+/// Q parameters that are lengths.
+const LENGTHS: [std::ops::RangeInclusive<u32>; 6] = [
+    260..=266,
+    273..=274,
+    282..=283,
+    310..=311,
+    320..=324,
+    328..=329,
+];
+
+/// A TNC: its functions, labels and cycles.
+fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
+    let mut blocks: Vec<String> = Vec::new();
+    for line in text.lines() {
+        match line.split_once(' ') {
+            Some((number, block)) if number.parse::<u32>().is_ok() => blocks.push(block.to_owned()),
+            _ => {
+                let last = blocks.last_mut().unwrap();
+                last.push('\n');
+                last.push_str(line);
+            }
+        }
+    }
+    let mut q: BTreeMap<u32, f64> = BTreeMap::new();
+    let mut contacts: Vec<[f64; 3]> = Vec::new();
+    let (mut at, mut stopped) = (0, None);
+    for _ in 0..10_000 {
+        let block = blocks[at].clone();
+        at += 1;
+        let operand = |q: &BTreeMap<u32, f64>, text: &str| -> f64 {
+            let sign = if text.starts_with('-') { -1.0 } else { 1.0 };
+            let text = text.trim_start_matches(['+', '-']);
+            match text.strip_prefix('Q') {
+                Some(number) => sign * q[&number.parse::<u32>().unwrap()],
+                None => sign * text.parse::<f64>().unwrap(),
+            }
+        };
+        if let Some(rest) = block.strip_prefix("FN ") {
+            let (number, rest) = rest.split_once(": ").unwrap();
+            let words: Vec<&str> = rest.split(' ').collect();
+            let number: u32 = number.parse().unwrap();
+            if let ["IF", a, _, b, "GOTO", "LBL", name] = words[..] {
+                let [a, b] = [a, b].map(|text| operand(&q, text));
+                let holds = match number {
+                    9 => a == b,
+                    11 => a > b,
+                    12 => a < b,
+                    other => panic!("FN {other}"),
+                };
+                if holds {
+                    let label = format!("LBL {name}");
+                    at = blocks.iter().position(|block| *block == label).unwrap();
+                }
+                continue;
+            }
+            let value = |text: &str| operand(&q, text);
+            let value = match (number, &words[2..]) {
+                (0, [a]) => value(a),
+                (1, [a, "+", b]) => value(a) + value(b),
+                (2, [a, "-", b]) => value(a) - value(b),
+                (3, [a, "*", b]) => value(a) * value(b),
+                (4, [a, "DIV", b]) => value(a) / value(b),
+                (5, ["SQRT", a]) => value(a).sqrt(),
+                (8, [a, "LEN", b]) => value(a).hypot(value(b)),
+                (13, [a, "ANG", b]) => value(a).atan2(value(b)).to_degrees().rem_euclid(360.0),
+                other => panic!("FN {other:?}"),
+            };
+            assert_eq!(words[1], "=");
+            q.insert(words[0][1..].parse().unwrap(), value);
+        } else if let Some((cycle, given)) = block.split_once('\n') {
+            let mut lines = String::from(cycle);
+            for line in given.lines() {
+                let (name, rest) = line.trim().split_once('=').unwrap();
+                let number: u32 = name[1..].parse().unwrap();
+                let value = operand(&q, rest.split(' ').next().unwrap());
+                q.insert(number, value);
+                let is_length = LENGTHS.iter().any(|range| range.contains(&number));
+                let value = value * if is_length { unit } else { 1.0 };
+                lines.push_str(&format!("\nQ{number}={value} "));
+            }
+            let made = judged(&lines, faces, 0.0);
+            let number: u32 = cycle.split(' ').nth(2).unwrap().parse().unwrap();
+            let put: Vec<(u32, f64)> = match (number, &made[..]) {
+                (421, [a, _, c, _]) => {
+                    let on = [made[1], made[3]];
+                    let center = [(a[0] + c[0]) / 2.0, (on[0][1] + on[1][1]) / 2.0];
+                    let far = (a[0] - center[0]).hypot(a[1] - center[1]);
+                    vec![(151, center[0]), (152, center[1]), (153, 2.0 * (far + 3.0))]
+                }
+                (425, [plus, minus]) => vec![
+                    (157, (plus[0] + minus[0]) / 2.0),
+                    (156, plus[0] - minus[0] + 6.0),
+                ],
+                (427, [one]) => vec![(160, one[2] - 3.0)],
+                other => panic!("{other:?}"),
+            };
+            q.extend(put.into_iter().map(|(number, mm)| (number, mm / unit)));
+            contacts.extend(made);
+        } else if block == "STOP" {
+            stopped = Some(blocks[at - 2].clone());
+        } else if block.starts_with("END PGM") {
+            let variables = q.into_iter().map(|(q, value)| (format!("Q{q}"), value));
+            return Ran {
+                contacts,
+                variables: variables.collect(),
+                stopped,
+            };
+        } else {
+            let known = ["BEGIN PGM", "; ", "LBL "];
+            assert!(known.iter().any(|head| block.starts_with(head)), "{block}");
+        }
+    }
+    panic!("does not end");
+}
+
+fn run(plan: &Plan, post: &PostDef, unit: f64, faces: &[Face]) -> Ran {
+    let text = &plan.program.text;
+    match post.key {
+        "heidenhain" => run_klartext(text, unit, faces),
+        key => run_macros(text, key, unit, faces),
+    }
+}
+
+/// Contacts of the plan's run as far as the program comes, each once: a macro touches twice. In mm.
+fn of_run(plan: &Plan, unit: f64) -> Vec<[f64; 3]> {
+    let touches = plan.moves.iter().filter(|step| step.kind == "touch");
+    let mut touches: Vec<usize> = touches.filter_map(|step| step.touch).collect();
+    touches.dedup();
+    let contacts = touches.into_iter().filter_map(|k| plan.triggers[k]);
+    contacts.map(|contact| contact.map(|x| x * unit)).collect()
+}
+
+fn same(a: &[[f64; 3]], b: &[[f64; 3]], what: &str) {
+    assert_eq!(a.len(), b.len(), "{what}: {a:?} {b:?}");
+    for (a, b) in a.iter().zip(b) {
+        let far = (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+        assert!(far < 2e-4, "{what}: {a:?} and {b:?}");
+    }
+}
+
+/// The program makes the plan's contacts, and its variables hold the plan's results.
+fn check(text: &str, following: bool, offset: [f64; 3]) {
+    for (post, inch) in computing().flat_map(|post| [(post, false), (post, true)]) {
+        let what = format!("{} inch {inch} {offset:?}", post.key);
+        let unit = if inch { 25.4 } else { 1.0 };
+        let job = on_part(text, post.key, inch, offset);
+        let plan = plan(&job).unwrap_or_else(|error| panic!("{what}: {:?}", error.findings));
+        let ran = run(&plan, post, unit, &faces(following, offset));
+        assert_eq!(ran.stopped, None, "{what}");
+        same(&ran.contacts, &of_run(&plan, unit), &what);
+        let mut compared = 0;
+        for row in &plan.results {
+            let Some(variable) = &row.stored else {
+                continue;
+            };
+            // No macro measures the other coordinates of a contact.
+            let Some(held) = ran.variables.get(variable) else {
+                continue;
+            };
+            // Positions of a program have five decimals in inch: 0.0003 mm.
+            let within = if row.code == "rotation" {
+                1e-3
+            } else {
+                4e-4 / unit
+            };
+            near(
+                *held,
+                row.value.unwrap(),
+                within,
+                &format!("{what} {}", row.code),
+            );
+            compared += 1;
+        }
+        assert!(compared >= shown(&plan).len() - 6, "{what}: {compared}");
+        // A Brother's programs do not state their units.
+        if offset != [0.0; 3] || post.key == "brother" && inch {
+            continue;
+        }
+        // The interpreter for any program, on the nominal part.
+        let start = plan.moves[0].to;
+        let known = RunInputs {
+            post: Some(post.key),
+            start: Some([start[0], start[1], start[2] + 20.0 / unit]),
+            ..RunInputs::default()
+        };
+        let made = run_program(&plan.program.text, &known);
+        let to_tip = if post.key == "heidenhain" { 0.0 } else { 3.0 };
+        let in_mm = |c: &[f64; 4]| [c[1] * unit, c[2] * unit, c[3] * unit + to_tip];
+        let mut contacts: Vec<[f64; 3]> = made.contacts.iter().map(in_mm).collect();
+        contacts.dedup_by(|a, b| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-9));
+        let what = format!("{what}, run_program {:?}", made.findings);
+        same(&contacts, &of_run(&plan, unit), &what);
+    }
+}
+
+#[test]
+fn native_cycles_follow_results_as_the_plan_says() {
+    for offset in [
+        [0.0; 3],
+        [0.4, -0.3, 0.2],
+        [-0.7, 0.6, -0.8],
+        [0.9, -0.9, 0.95],
+    ] {
+        check(FOLLOWING, true, offset);
+    }
+}
+
+#[test]
+fn native_programs_compute_relations() {
+    for relations in [LINES, CENTERS, CIRCLE] {
+        let text = RELATED.replace("RELATIONS", relations);
+        let few = |post: &&'static PostDef| post.key == "heidenhain";
+        // Fifteen variables are too few for a circle.
+        if relations == CIRCLE {
+            assert_eq!(computing().filter(few).count(), 1);
+            let job = on_part(&text, "fanuc", false, [0.0; 3]);
+            let error = plan(&job).unwrap_err();
+            assert!(
+                error
+                    .findings
+                    .iter()
+                    .any(|f| f.code == "too-many-registers")
+            );
+            continue;
+        }
+        for offset in [[0.0; 3], [0.4, -0.3, 0.0], [-1.7, 2.6, 0.0]] {
+            check(&text, false, offset);
+        }
+    }
+}
+
+/// A result beyond its limit stops the program before the cycle that follows it, with the name of the result.
+#[test]
+fn beyond_its_limit_a_followed_result_stops_the_program() {
+    let mut stopped = 0;
+    for post in computing() {
+        for (offset, code) in [
+            ([0.0, 0.0, 1.5], "TOP.POINT.Z"),
+            ([0.0, 0.0, -1.5], "TOP.POINT.Z"),
+            ([1.2, 0.0, 0.3], "CENTER.X"),
+            ([0.0, -1.2, 0.3], "CENTER.Y"),
+        ] {
+            let plan = planned(&on_part(FOLLOWING, post.key, false, offset));
+            let ran = run(&plan, post, 1.0, &faces(true, offset));
+            let says = ran
+                .stopped
+                .unwrap_or_else(|| panic!("{} {offset:?}", post.key));
+            assert!(says.to_ascii_uppercase().contains(code), "{says}");
+            assert!(
+                plan.findings.iter().any(|f| f.code == "place-too-far"),
+                "{:?}",
+                plan.findings
+            );
+            same(&ran.contacts, &of_run(&plan, 1.0), post.key);
+            stopped += 1;
+        }
+    }
+    assert!(stopped >= 24);
+}
