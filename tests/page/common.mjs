@@ -471,7 +471,8 @@ export async function settles(
   /** @type {() => Promise<boolean>} */ holds,
   tab = page,
 ) {
-  for (let i = 0; i < 80; i++) {
+  // As long as the browser's own waits: a page whose processor is busy elsewhere takes seconds.
+  for (let i = 0; i < 600; i++) {
     if (await holds()) return;
     await tab.waitForTimeout(50);
   }
