@@ -636,6 +636,10 @@ pub const CODES: &[(&str, &str)] = &[
         "A row of the preset table is written and activated with its other values.",
     ),
     (
+        "row-active",
+        "Native cycles write a row of the preset table before others measure: the row must not be active at the start.",
+    ),
+    (
         "rule-broken",
         "A program breaks a mandatory safety rule: it is refused. This is a fault in Touchpath: please report it.",
     ),

@@ -4,7 +4,7 @@ use crate::form::{Checker, Section, Value};
 use crate::formula::Role;
 use crate::geom::AXIS_NAMES;
 use crate::job::cycles::DATUM;
-use crate::job::planned::{PlannedJob, several};
+use crate::job::planned::PlannedJob;
 use crate::job::rows::{DatumRow, ResultRow, ResultWords};
 use crate::num::tidy;
 use crate::path::{DatumSource, Path, ResultSource};
@@ -21,26 +21,31 @@ struct Candidate {
 }
 
 /// Sources of the written axes: as the job states. By default the first cycle that measures the axis, for abscissa and ordinate one that measures both. A
-/// rotation is written on request only.
+/// rotation is written on request only. `only_last`: whether no other cycle can write.
 pub fn read(
     checker: &mut Checker,
     value: &Value,
-    whole: &PlannedJob,
-    writes: bool,
+    path: &Path,
+    only_last: bool,
 ) -> Option<DatumSource> {
-    let (path, members) = (&whole.path, &whole.members);
     let given = value.given("datum");
     checker.object(given, "datum")?;
     Section::new(checker, given, "datum").only(&[], &DATUM);
     let mut written = DatumSource::default();
-    let own = several(&members[0].job).is_some();
-    let last = members.len() - 1;
+    let last = path.cycles.len() - 1;
     for (axis, key) in DATUM.into_iter().enumerate() {
         let path_of = format!("datum.{key}");
         let said = given.and_then(|datum| datum.get(key));
         if said.is_none() && axis < 3 {
-            written.place[axis] =
-                proposed(path, axis, if own { last..last + 1 } else { 0..last + 1 });
+            written.place[axis] = proposed(
+                path,
+                axis,
+                if only_last {
+                    last..last + 1
+                } else {
+                    0..last + 1
+                },
+            );
             continue;
         }
         let found = match said {
@@ -75,22 +80,23 @@ pub fn read(
         );
         checker.error("datum-apart", "datum", message);
     }
-    if own && writes {
-        check_own(checker, whole, &written);
-    }
     (!checker.failed()).then_some(written)
 }
 
-/// Checks the write of native cycles: each writes immediately after measuring, and everything that it measures.
-fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
-    let members = &whole.members;
+/// Checks the write of native cycles: each writes immediately after measuring, and everything that it measures. `only_last`: whether no other cycle can write.
+pub fn check_own(
+    checker: &mut Checker,
+    (path, members): (&Path, &[PlannedJob]),
+    written: &DatumSource,
+    only_last: bool,
+) -> Option<()> {
     let moves = members[0].job.post.moves();
-    let name = |member: usize| whole.path.cycles[member].name.clone();
+    let name = |member: usize| path.cycles[member].name.clone();
     let early = written
         .place
         .iter()
         .flatten()
-        .find(|member| **member + 1 < members.len());
+        .find(|member| only_last && **member + 1 < members.len());
     if let Some(early) = early {
         let early = name(*early);
         let message = match moves {
@@ -106,19 +112,21 @@ fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
         checker.error("set-up-unsupported", "datum", message);
     }
     // Such a cycle writes everything that it measures, whatever the job states.
-    let measured = members[members.len() - 1]
-        .path
-        .formula
-        .datum
-        .as_ref()
-        .map_or([false; 3], |datum| datum.measured());
     let axes = members[0].job.setup.plane.axes();
-    let unwanted = (0..3)
-        .filter(|i| measured[*i] && written.place[*i].is_none())
-        .map(|i| AXIS_NAMES[axes[i]]);
-    let unwanted: Vec<&str> = unwanted.collect();
-    if !unwanted.is_empty() {
-        let (name, axes) = (name(members.len() - 1), unwanted.join(", "));
+    for (m, planned) in members.iter().enumerate() {
+        if !(written.place.contains(&Some(m)) || only_last && m + 1 == members.len()) {
+            continue;
+        }
+        let datum = planned.path.formula.datum.as_ref();
+        let measured = datum.map_or([false; 3], |datum| datum.measured());
+        let unwanted: Vec<&str> = (0..3)
+            .filter(|i| measured[*i] && written.place[*i] != Some(m))
+            .map(|i| AXIS_NAMES[axes[i]])
+            .collect();
+        if unwanted.is_empty() {
+            continue;
+        }
+        let (name, axes) = (name(m), unwanted.join(", "));
         let message = match moves {
             true => text!(
                 "The native cycle of {name} writes everything that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
@@ -146,6 +154,7 @@ fn check_own(checker: &mut Checker, whole: &PlannedJob, written: &DatumSource) {
         };
         checker.error("set-up-unsupported", "datum.rotation", message);
     }
+    (!checker.failed()).then_some(())
 }
 
 fn unknown_datum(text: &str, axis: usize, all: &[Candidate]) -> Text {
@@ -198,7 +207,8 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         found.collect::<Vec<_>>()
     };
     // Native cycles write what they measure, but no relation.
-    let count = if path.calls.is_some() {
+    let first = path.cycles.first();
+    let count = if first.is_some_and(|own| own.path.calls.is_some()) {
         path.cycles.len()
     } else {
         usize::MAX

@@ -165,33 +165,36 @@ impl Reading<'_> {
             ..self.first.filter(|_| !failed)?
         };
         let several = several(&job);
+        let linking = several.and_then(Result::ok);
+        let only_last = several.is_some() && linking.is_none_or(|own| own.activates.is_none());
+        let source = datum::read(checker, self.value, &self.path, only_last);
         if let Some(several) = several {
+            check_native(checker, &job, &self.members, several, self.names)?;
             let path = &mut self.path;
-            self.members = own_cycles(
-                checker,
-                (&job, path),
-                self.members,
-                (several, clear),
-                self.names,
-            )?;
+            if linking.is_some_and(|linking| linking.links_itself) {
+                let writes = source.as_ref().map_or([None; 3], |source| source.place);
+                let members = self.members;
+                self.members = link_themselves(checker, (&job, path), members, (clear, writes))?;
+            }
             dependencies::sense(checker, path, &self.members)?;
+            if let Some(source) = source.as_ref().filter(|_| job.work_offset.is_some()) {
+                datum::check_own(checker, (path, &self.members), source, only_last)?;
+            }
         }
-        let computes = several.map_or(job.post.computes, |several| {
-            several.is_ok_and(|own| own.computes)
+        let computes = several.map_or(job.post.computes, |_| {
+            linking.is_some_and(|linking| linking.computes)
         });
         if !computes {
             self.relations.report_not_computed(checker);
         }
         let mut whole = connect(job, self.path, self.members, clear);
         relations::check_circles(checker, &whole);
-        let writes = whole.job.work_offset.is_some();
-        let source = datum::read(checker, self.value, &whole, writes)?;
-        whole.path.write_from(&source);
+        whole.path.write_from(&source?);
         if !whole.job.post.offset_has_rotation {
             whole.path.formula.without_rotation();
         }
-        if let Some(Ok(several)) = several {
-            allocate(checker, &mut whole.path, several)?;
+        if let Some(linking) = linking {
+            allocate(checker, &mut whole.path, linking)?;
         }
         dependencies::run(&mut whole);
         whole.run = run(&whole, PartState::Actual);
@@ -199,25 +202,22 @@ impl Reading<'_> {
     }
 }
 
-/// The cycles as native cycles. Reports why the control does not support them.
-fn own_cycles(
+/// Checks the cycles as native cycles. Reports why the control does not support them.
+fn check_native(
     checker: &mut Checker,
-    (job, path): (&Job, &Path),
-    members: Vec<PlannedJob>,
-    (several, clear): (Result<CycleLinking, &'static str>, Option<f64>),
+    job: &Job,
+    members: &[PlannedJob],
+    several: Result<CycleLinking, &'static str>,
     names: &[String],
-) -> Option<Vec<PlannedJob>> {
-    let several = match several {
-        Ok(several) => several,
-        Err(why) => {
-            let message = text!(
-                "A set-up of native cycles: {why}",
-                job.post.control_text(why)
-            );
-            checker.error("set-up-unsupported", "cycles", message);
-            return None;
-        }
-    };
+) -> Option<()> {
+    if let Err(why) = several {
+        let message = text!(
+            "A set-up of native cycles: {why}",
+            job.post.control_text(why)
+        );
+        checker.error("set-up-unsupported", "cycles", message);
+        return None;
+    }
     let has_own_program =
         |planned: &PlannedJob| planned.path.calls.is_none() && planned.native_rejections.is_empty();
     if let Some(i) = members.iter().position(has_own_program) {
@@ -228,9 +228,16 @@ fn own_cycles(
         checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
         return None;
     }
-    if !several.links_itself {
-        return Some(members);
-    }
+    Some(())
+}
+
+/// Plans native cycles that make the link moves themselves, at this height. `writes` has the cycle that each axis is written from.
+fn link_themselves(
+    checker: &mut Checker,
+    (job, path): (&Job, &Path),
+    members: Vec<PlannedJob>,
+    (clear, writes): (Option<f64>, [Option<usize>; 3]),
+) -> Option<Vec<PlannedJob>> {
     // A cycle that follows a height may end higher by its limit.
     let higher = |m: usize| {
         let follows = path.cycles[m].placing.follows_axis(2);
@@ -244,11 +251,18 @@ fn own_cycles(
     let highest = all.fold(f64::NEG_INFINITY, f64::max);
     let clear = clear.unwrap_or(highest);
     let high_enough = check_clear(checker, clear, highest);
-    let at = |planned: PlannedJob| PlannedJob {
-        following: planned.following,
-        ..PlannedJob::at(planned.job, Some(clear))
+    let at = |(m, planned): (usize, PlannedJob)| {
+        let work_offset = job.work_offset.filter(|_| writes.contains(&Some(m)));
+        let own = Job {
+            work_offset,
+            ..planned.job
+        };
+        PlannedJob {
+            following: planned.following,
+            ..PlannedJob::at(own, Some(clear))
+        }
     };
-    high_enough.then(|| members.into_iter().map(at).collect())
+    high_enough.then(|| members.into_iter().enumerate().map(at).collect())
 }
 
 /// Checks that the control has variables for all results that the next cycle would overwrite, and gives one to every value that the program computes.
@@ -278,7 +292,7 @@ fn allocate(checker: &mut Checker, path: &mut Path, several: CycleLinking) -> Op
         }
         Err(Lack::Followed(m)) => {
             let message = text!(
-                "{cycle} follows a result that no native cycle stores",
+                "{cycle} follows a result that no native cycle stores. A cycle that writes the work offset may store none: then write that from another cycle",
                 path.cycles[m].name.clone()
             );
             checker.error("place-of-result", format!("cycles[{m}]"), message);
@@ -461,6 +475,13 @@ fn connect(
         .map(|way| way as LinkBlock<'_>)
         .zip(several.map(|several| several.computes));
     path.connect(clear.unwrap_or(highest), feeds, link);
+    let activates = several.and_then(|several| several.activates);
+    if let (Some(activates), Some(row)) = (activates, job.work_offset)
+        && let Some(own) = &mut path.calls
+        && own.blocks.iter().any(|(block, _)| block.writes())
+    {
+        own.blocks.push((activates(row), 0));
+    }
     let surfaces = members
         .iter()
         .flat_map(|planned| planned.surfaces.iter().copied())

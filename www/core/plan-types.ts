@@ -175,6 +175,7 @@ export type FindingCode =
   | "rotation-not-written"
   | "rotation-unsupported"
   | "row-activated"
+  | "row-active"
   | "rule-broken"
   | "search-too-short"
   | "semi-automatic"

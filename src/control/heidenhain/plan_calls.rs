@@ -38,12 +38,18 @@ pub static CYCLES: NativeCycles = NativeCycles {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: true,
         computes: true,
+        activates: Some(|row| activates(f64::from(row))),
         saved_variables: FREE,
     },
 };
 
 /// Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: no cycle uses them.
 const FREE: (usize, usize) = (1600, 1979);
+
+/// Block that activates a row of the preset table.
+fn activates(row: f64) -> CallBlock {
+    CallBlock::Cycle(247, vec![(339, Quantity::Plain(row))])
+}
 
 /// The path of native cycles for a job's feature, with the calls. 1411 is the documented path itself.
 fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
@@ -447,9 +453,9 @@ impl Plan<'_> {
 
     /// The path of the cycles on the nominal part.
     fn finish(mut self, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
-        if let Some(row) = self.row() {
-            self.blocks
-                .push(CallBlock::Cycle(247, vec![(339, Quantity::Plain(row))]));
+        // A set-up activates its row once, at the end.
+        if self.request.clear.is_none() {
+            self.blocks.extend(self.row().map(activates));
         }
         let Plan {
             request,
@@ -536,7 +542,21 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
             row
         );
         checker.warning("row-activated", "control.workOffset", message);
+        if writes_early(request) {
+            let message = text!(
+                "Preset row {row} must not be active at the start: the next cycles would measure in the system that the first one moves",
+                row
+            );
+            checker.warning("row-active", "control.workOffset", message);
+        }
     }
+}
+
+/// Whether a cycle of a set-up measures after one that writes.
+fn writes_early(request: &Request<'_>) -> bool {
+    let own = request.path.calls.iter().flat_map(|own| &own.blocks);
+    let mut measuring = own.filter(|(block, _)| block.measures());
+    measuring.any(|(block, _)| block.writes()) && measuring.next().is_some()
 }
 
 /// Longest search of the path, mm: from the start of a touch to its end.
@@ -564,6 +584,11 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
         request,
         ": by the cycle, then activated by cycle 247",
     ));
+    if writes_early(request) {
+        w.comment(
+            "Another preset row must be active at the start: cycles measure after one that writes",
+        );
+    }
     w.comment(&match request.tool {
         Some(tool) => format!("Before the start: tool {tool} is the probe, it is called"),
         None => "Before the start: the probe is in the spindle and active, tool axis Z. No tool is called".to_owned(),

@@ -78,6 +78,8 @@ pub struct CycleLinking {
     pub links_itself: bool,
     /// Whether the program computes with the results between the cycles: relations, and positions and sizes that follow them.
     pub computes: bool,
+    /// Block at the end that activates a row of a table. Each cycle may write into it, since it becomes active only then; if `None`, only the last cycle writes.
+    pub activates: Option<fn(i32) -> CallBlock>,
     /// First and last of the variables that save results before the next cycle overwrites them.
     pub saved_variables: (usize, usize),
 }

@@ -67,6 +67,7 @@ pub const LINKING: CycleLinking = CycleLinking {
     way: protected,
     links_itself: false,
     computes: true,
+    activates: None,
     saved_variables: (FIRST_KEPT, LAST_KEPT),
 };
 

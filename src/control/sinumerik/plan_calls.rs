@@ -52,6 +52,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: false,
         computes: false,
+        activates: None,
         saved_variables: (1, LAST_REGISTER),
     },
 };

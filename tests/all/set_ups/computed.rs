@@ -75,6 +75,8 @@ struct Ran {
     contacts: Vec<[f64; 3]>,
     variables: BTreeMap<String, f64>,
     stopped: Option<String>,
+    /// Cycles of a TNC that write a row of the preset table or activate it, with the row.
+    rows: Vec<(u32, String)>,
 }
 
 /// A Fanuc with Renishaw's macros.
@@ -103,6 +105,7 @@ fn run_macros(text: &str, post: &str, unit: f64, faces: &[Face]) -> Ran {
             .map(|(number, value)| (format!("#{number}"), *value))
             .collect(),
         stopped: control.alarm,
+        rows: Vec::new(),
     }
 }
 
@@ -131,7 +134,7 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
     }
     let mut q: BTreeMap<u32, f64> = BTreeMap::new();
     let mut contacts: Vec<[f64; 3]> = Vec::new();
-    let (mut at, mut stopped) = (0, None);
+    let (mut at, mut stopped, mut rows) = (0, None, Vec::new());
     for _ in 0..10_000 {
         let block = blocks[at].clone();
         at += 1;
@@ -188,8 +191,15 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
             }
             let made = judged(&lines, faces, 0.0);
             let number: u32 = cycle.split(' ').nth(2).unwrap().parse().unwrap();
+            if let Some(row) = lines
+                .lines()
+                .find_map(|line| line.strip_prefix("Q305=").or(line.strip_prefix("Q339=")))
+            {
+                rows.push((number, row.trim().to_owned()));
+            }
             let put: Vec<(u32, f64)> = match (number, &made[..]) {
-                (421, [a, _, c, _]) => {
+                (247 | 417, _) => Vec::new(),
+                (412 | 421, [a, _, c, _]) => {
                     let on = [made[1], made[3]];
                     let center = [(a[0] + c[0]) / 2.0, (on[0][1] + on[1][1]) / 2.0];
                     let far = (a[0] - center[0]).hypot(a[1] - center[1]);
@@ -212,6 +222,7 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
                 contacts,
                 variables: variables.collect(),
                 stopped,
+                rows,
             };
         } else {
             let known = ["BEGIN PGM", "; ", "LBL "];
@@ -364,4 +375,73 @@ fn beyond_its_limit_a_followed_result_stops_the_program() {
         }
     }
     assert!(stopped >= 24);
+}
+
+/// A TNC's cycles write one row, each the axes that come from it. The row is activated once, at the end, and not at all if the program stops.
+#[test]
+fn cycles_of_a_tnc_write_one_row_that_is_activated_at_the_end() {
+    let text = r#"{ "format": 2, "control": { "form": "cycle", "workOffset": 3 }, "limits": { "position": 1 }, "datum": DATUM,
+      "cycles": [
+        { "name": "TOP", "type": "surface", "origin": [-35, 0, 0] },
+        { "name": "BORE", "type": "hole", "diameter": 25 },
+        { "name": "NEXT", "type": "hole", "diameter": 25, "origin": ["=BORE.center.x+60", 0, 0] } ] }"#;
+    let of = |datum: &str, offset: [f64; 3]| {
+        let job = on_part(&text.replace("DATUM", datum), "heidenhain", false, offset);
+        let plan = planned(&job);
+        let ran = run_klartext(&plan.program.text, 1.0, &faces(true, offset));
+        same(&ran.contacts, &of_run(&plan, 1.0), datum);
+        let back = crate::common::import(&plan.program.text).unwrap();
+        assert_eq!(planned(&back.job).program.text, plan.program.text);
+        let rows = ran.rows.into_iter().map(|(cycle, row)| {
+            assert_eq!(row, "3");
+            cycle
+        });
+        let shifts = plan
+            .results
+            .iter()
+            .filter(|row| row.code.starts_with("offset."));
+        let shifts: Vec<f64> = shifts.map(|row| row.value.unwrap_or(f64::NAN)).collect();
+        (rows.collect::<Vec<u32>>(), shifts, ran.stopped.is_some())
+    };
+    let offset = [0.4, -0.3, 0.2];
+    let (rows, shifts, _) = of("null", offset);
+    assert_eq!(rows, [417, 412, 247]);
+    for (shift, wanted) in shifts.iter().zip(offset) {
+        near(*shift, wanted, 1e-6, "the shift of the origin");
+    }
+    assert_eq!(of(r#"{ "z": null }"#, offset).0, [412, 247]);
+    assert_eq!(of(r#"{ "x": null, "y": null }"#, offset).0, [417, 247]);
+    let (rows, _, stopped) = of("null", [1.2, 0.0, 0.0]);
+    assert_eq!((&rows[..], stopped), (&[417, 412][..], true));
+    let codes = |datum: &str| {
+        let job = on_part(&text.replace("DATUM", datum), "heidenhain", false, offset);
+        let error = plan(&job).unwrap_err();
+        error
+            .findings
+            .iter()
+            .filter(|f| f.level == touchpath::form::Level::Error)
+            .map(|f| format!("{} {}", f.code, f.path))
+            .collect::<Vec<_>>()
+    };
+    // A cycle writes everything that it measures.
+    assert_eq!(codes(r#"{ "y": null }"#), ["set-up-unsupported datum"]);
+    assert_eq!(
+        codes(r#"{ "x": "BORE.center.x", "y": "NEXT.center.y" }"#),
+        ["set-up-unsupported datum"; 2]
+    );
+    // Cycle 417 stores no result, so nothing can follow it.
+    let follows = text.replace(
+        r#""diameter": 25 }"#,
+        r#""diameter": 25, "origin": [0, 0, "=TOP.z"] }"#,
+    );
+    let job = on_part(
+        &follows.replace("DATUM", "null"),
+        "heidenhain",
+        false,
+        offset,
+    );
+    assert_eq!(
+        plan(&job).unwrap_err().findings.last().unwrap().code,
+        "place-of-result"
+    );
 }

@@ -781,7 +781,8 @@ fn of_the_controls_own_cycles_the_last_one_writes() {
         ("set-up-unsupported", "datum")
     );
     // A TNC's cycle writes a row of the table, which another block activates.
-    let klartext = planned(&job(&text("{}").replace("haas", "heidenhain")));
+    let datum = r#"{ "z": null }"#;
+    let klartext = planned(&job(&text(datum).replace("haas", "heidenhain")));
     assert_eq!(klartext.program.writes, ["X", "Y"]);
     let blocks = klartext
         .program

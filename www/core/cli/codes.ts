@@ -169,6 +169,7 @@ export const CODES: Record<string, string> = {
   "rotation-not-written": "A rotation is measured, but the work offset cannot store it.",
   "rotation-unsupported": "The control cannot write this rotation into a work offset.",
   "row-activated": "A row of the preset table is written and activated with its other values.",
+  "row-active": "Native cycles write a row of the preset table before others measure: the row must not be active at the start.",
   "rule-broken": "A program breaks a mandatory safety rule: it is refused. This is a fault in Touchpath: please report it.",
   "search-too-short": "A touch searches so little past its nominal contact that the control could not tell its contact from its end.",
   "semi-automatic": "1411: the operator moves the probe to this object; no path can be shown.",
