@@ -189,7 +189,8 @@ fn one(
     section.value()?;
     let formula = &path_of_job.formula;
     let def = &formula.results[given.index];
-    let action = consequence(checker, job, entry, &format!("{at}.action"));
+    let of = (path_of_job, given.index);
+    let action = consequence(checker, (job, of), entry, &format!("{at}.action"));
     let (text, path) = words_of(checker, given)?;
     if def.variable.is_none() || path_of_job.feature.two_circles().is_some() {
         let message = match def.variable {
@@ -256,10 +257,41 @@ fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str,
     }
 }
 
+/// Why a program of native cycles cannot act on a result of this path. It compares stored results between the cycles of a set-up, and stops.
+fn not_natively(
+    job: &Job,
+    (path, result): (&Path, usize),
+    action: ToleranceAction,
+) -> Option<&'static str> {
+    let computes = job.post.own.is_some_and(|own| own.several.computes);
+    if !computes || path.cycles.is_empty() {
+        return Some(words!("native cycles do not compare their results with it"));
+    }
+    let variable = path.formula.results[result].variable;
+    let stored = variable.and_then(|variable| {
+        let own = path.calls.as_ref()?;
+        own.stored_value(variable.index())
+    });
+    let last = path.cycles.len() - 1;
+    let writes = job.work_offset.is_some() && path.is_known_by(result, last) == Some(true);
+    let at_once = job
+        .post
+        .own
+        .is_some_and(|own| own.several.activates.is_none());
+    match action {
+        ToleranceAction::Mark => Some(words!("a program of native cycles can only stop")),
+        _ if stored.is_none() => Some(words!("its native cycle does not store this result")),
+        _ if writes && at_once => Some(words!(
+            "the last native cycle writes before the program can compare"
+        )),
+        _ => None,
+    }
+}
+
 /// Action of the program, if it can carry it out.
 fn consequence(
     checker: &mut Checker,
-    job: &Job,
+    (job, of): (&Job, (&Path, usize)),
     given: &Value,
     path: &str,
 ) -> Option<ToleranceAction> {
@@ -279,7 +311,7 @@ fn consequence(
         }
     };
     let why = match job.form {
-        ProgramForm::Cycle => Some(words!("native cycles do not compare their results with it")),
+        ProgramForm::Cycle => not_natively(job, of, action),
         ProgramForm::Moves if !job.post.computes => Some(words!(
             "{control} computes no results: the operator must judge them"
         )),

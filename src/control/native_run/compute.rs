@@ -2,7 +2,7 @@
 
 use crate::control::Request;
 use crate::control::native_run::CycleLinking;
-use crate::formula::{Node, ResultCheck};
+use crate::formula::{CheckKind, Node, ResultCheck, ToleranceAction};
 use crate::path::{CallBlock, CallSequence, Computed, Path, Stored};
 
 /// Why a program cannot compute a value.
@@ -34,11 +34,6 @@ pub fn allocate(path: &mut Path, several: CycleLinking) -> Result<Vec<usize>, La
     }
     let mut wanted = vec![false; path.formula.assignments.len()];
     for variable in (0..path.cycles.len()).flat_map(shifts) {
-        wanted[variable.index()] = true;
-    }
-    // The program checks what a cycle follows.
-    let follows = path.cycles.iter().flat_map(|own| &own.placing.follows);
-    for variable in follows.filter_map(|follow| path.formula.results[follow.result].variable) {
         wanted[variable.index()] = true;
     }
     let mut lacking = Vec::new();
@@ -121,7 +116,9 @@ fn registers(
     }
     let (mut spare, mut next): (Vec<usize>, usize) = (Vec::new(), free);
     let mut computed = vec![None; needed.len()];
-    for i in (0..needed.len()).filter(|i| needed[*i]) {
+    // A tolerance may be asked of any stored result.
+    let used = |i: &usize| needed[*i] || known.stored[*i].is_some();
+    for i in (0..computed.len()).filter(used) {
         computed[i] = Some(match known.stored[i] {
             Some(stored) => Computed::Measured(stored),
             None => Computed::Register(spare.pop().unwrap_or_else(|| {
@@ -141,7 +138,7 @@ fn registers(
     (computed, next.max(1) - 1)
 }
 
-/// Values that a program computes before cycle `m`, in order, each with its variable; and its checks of what that cycle follows.
+/// Values that a program computes before cycle `m`, in order, each with its variable; and its checks: of what that cycle follows, and of tolerances that stop.
 pub fn before(
     request: &Request<'_>,
     own: &CallSequence,
@@ -153,9 +150,25 @@ pub fn before(
         Computed::Measured(_) => None,
     };
     let values = path.computed_by(m - 1).filter_map(register).collect();
-    let checks = match m < path.cycles.len() {
+    let mut checks = match m < path.cycles.len() {
         true => path.asked_before(m, &request.limits),
         false => Vec::new(),
     };
+    // A relation is known once it is computed, a result of a cycle after its calls.
+    let is_known =
+        |check: &ResultCheck| match own.computed.get(check.variable.index()).copied().flatten() {
+            Some(Computed::Register(_)) => {
+                path.computed_by(m - 1).contains(&check.variable.index())
+            }
+            Some(Computed::Measured(_)) => path.cycles[m - 1].results.contains(&check.result),
+            None => false,
+        };
+    let stops = path.formula.tolerance_checks().filter(|check| {
+        let tolerance = path.formula.results[check.result].tolerance;
+        tolerance.is_some_and(|tolerance| tolerance.action == ToleranceAction::Stop)
+            && is_known(check)
+    });
+    let asked = CheckKind::StopTolerance;
+    checks.extend(stops.map(|check| ResultCheck { asked, ..check }));
     (values, checks)
 }

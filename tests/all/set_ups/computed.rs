@@ -445,3 +445,54 @@ fn cycles_of_a_tnc_write_one_row_that_is_activated_at_the_end() {
         "place-of-result"
     );
 }
+
+/// A tolerance that stops is compared as soon as its result is known: that of a cycle before the next one, that of a relation when it is computed.
+#[test]
+fn a_tolerance_stops_a_program_of_native_cycles() {
+    let tolerances = r#""tolerances": { "BORE.diameter": { "tolerance": "±0.15", "action": "stop" }, "MID.mean": { "tolerance": "±0.03", "action": "stop" } },
+      "cycles": ["#;
+    let text = FOLLOWING.replacen("\"cycles\": [", tolerances, 1);
+    for post in computing() {
+        for (larger, says, made) in [
+            (0.2, Some("DIAMETER"), 5),
+            // No cycle follows the mean: it is computed at the end.
+            (0.1, Some("MEAN"), 11),
+            (0.04, None, 11),
+        ] {
+            let job = on_part(&text, post.key, false, [0.0; 3]);
+            let sizes = [("BORE.diameter".to_owned(), Value::Number(larger))];
+            let job = with(&job, "part.sizes", Value::Map(sizes.to_vec()));
+            let plan = planned(&job);
+            let mut faces = faces(true, [0.0; 3]);
+            faces[1] = Face::Circle([0.0; 2], 12.5 + larger / 2.0);
+            let ran = run(&plan, post, 1.0, &faces);
+            let what = format!("{} {larger}", post.key);
+            assert_eq!(ran.contacts.len(), made, "{what}");
+            match (says, ran.stopped) {
+                (Some(says), Some(said)) => {
+                    assert!(said.to_ascii_uppercase().contains(says), "{what}: {said}");
+                }
+                (says, said) => assert_eq!((says, said), (None, None), "{what}"),
+            }
+            let reported = plan.findings.iter().any(|f| f.code == "out-of-tolerance");
+            assert_eq!(reported, says.is_some(), "{what}");
+        }
+        let marks = text.replacen("\"stop\"", "\"mark\"", 1);
+        let error = plan(&on_part(&marks, post.key, false, [0.0; 3])).unwrap_err();
+        assert_eq!(error.findings[0].code, "tolerance-unsupported");
+        // Renishaw's macro writes while it measures: SLOT would be written before the program compares it.
+        let late = text.replacen("BORE.diameter", "SLOT.width", 1).replacen(
+            "\"form\": \"cycle\"",
+            "\"form\": \"cycle\", \"workOffset\": 1",
+            1,
+        );
+        if post.own.unwrap().several.activates.is_none() {
+            let error = plan(&on_part(&late, post.key, false, [0.0; 3])).unwrap_err();
+            assert_eq!(
+                error.findings[0].code, "tolerance-unsupported",
+                "{}",
+                post.key
+            );
+        }
+    }
+}
