@@ -300,6 +300,8 @@ namespace Touchpath
         public bool Watches { get; set; }
         /// <summary>Whether its program computes the results.</summary>
         public bool Computes { get; set; }
+        /// <summary>Whether its program computes between the native cycles of a set-up: relations, and cycles that follow results.</summary>
+        public bool ComputesBetween { get; set; }
         /// <summary>Whether its native cycles can correct a tool offset from a measured size.</summary>
         public bool CorrectsTools { get; set; }
         /// <summary>Fields of the job's section `control` that change nothing on it.</summary>

@@ -229,6 +229,8 @@ pub struct PostEntry {
     pub watches: bool,
     /// Whether its program computes the results.
     pub computes: bool,
+    /// Whether its program computes between the native cycles of a set-up: relations, and cycles that follow results.
+    pub computes_between: bool,
     /// Whether its native cycles can correct a tool offset from a measured size.
     pub corrects_tools: bool,
     /// Fields of the job's section `control` that change nothing on it.
@@ -313,6 +315,7 @@ pub fn catalog() -> Catalog {
                 first_length: post.first_length,
                 watches: post.watches_positioning,
                 computes: post.computes,
+                computes_between: post.own.is_some_and(|own| own.several.computes),
                 corrects_tools: post.own.is_some_and(|own| own.corrects_tools),
                 unused: post.unused,
                 usual_lines: post

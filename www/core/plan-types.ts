@@ -771,6 +771,8 @@ export interface PostEntry {
   watches: boolean;
   /** Whether its program computes the results. */
   computes: boolean;
+  /** Whether its program computes between the native cycles of a set-up: relations, and cycles that follow results. */
+  computesBetween: boolean;
   /** Whether its native cycles can correct a tool offset from a measured size. */
   correctsTools: boolean;
   /** Fields of the job's section `control` that change nothing on it. */

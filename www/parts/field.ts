@@ -119,14 +119,10 @@ export abstract class FieldPart extends StorePart {
     const control = this.store.catalog.posts.find(
       ({ id }) => id === plan.program.post,
     );
+    const { own } = plan.program;
     // Without computed results there is nothing to follow.
-    if (
-      !features.several ||
-      !path.startsWith("cycle.") ||
-      plan.program.own ||
-      !control?.computes
-    )
-      return [];
+    const computes = own ? control?.computesBetween : control?.computes;
+    if (!features.several || !path.startsWith("cycle.") || !computes) return [];
     // Abscissa, ordinate and tool axis in each plane.
     const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[
       String(this.store.get("plane"))
@@ -151,7 +147,8 @@ export abstract class FieldPart extends StorePart {
       return axis === undefined
         ? []
         : from(written(["x", "y", "z"][axes.indexOf(axis)]));
-    if (path === "cycle.rotation") return from(written("rotation"));
+    // Native cycles probe along the axes.
+    if (path === "cycle.rotation") return own ? [] : from(written("rotation"));
     return field.kind === "number" && field.size && field.unit === "length"
       ? from(sizes())
       : [];

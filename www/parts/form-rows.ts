@@ -15,17 +15,18 @@ export abstract class FormRows extends FieldPart {
     const keys = fields
       .map(({ path }) => /^cycle\.(\w+)$/.exec(path)?.[1] ?? "")
       .filter((key) => store.sizeWithTolerance(cycle, key) !== null);
-    const { computes } = store.post ?? {};
+    const native = store.get("control.form") === "cycle";
+    const { computes, computesBetween } = store.post ?? {};
+    const acts = native
+      ? store.features.several && computesBetween
+      : computes;
     const actions = keys.map(
       (key) => store.tolerance(cycle, key)?.action ?? "go",
     );
     // Sizes with different actions are set in the list of tolerances.
-    if (
-      new Set(actions).size !== 1 ||
-      !computes ||
-      store.get("control.form") === "cycle"
-    )
-      return nothing;
+    if (new Set(actions).size !== 1 || !acts) return nothing;
+    // A program of native cycles only stops.
+    const possible = ACTIONS.filter(([value]) => !native || value !== "mark");
     const take = (e: Event) => {
       const action = (e.target as HTMLSelectElement)
         .value as ResultTolerance["action"];
@@ -39,7 +40,7 @@ export abstract class FormRows extends FieldPart {
       );
       store.settle();
     };
-    return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${ACTIONS.map(([value, words]) => html`<option value=${value} .selected=${live(value === actions[0])}>${this.t(words)}</option>`)}</select></span></div>`;
+    return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${possible.map(([value, words]) => html`<option value=${value} .selected=${live(value === actions[0])}>${this.t(words)}</option>`)}</select></span></div>`;
   }
 
   /** Units of the job. */
