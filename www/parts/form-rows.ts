@@ -17,9 +17,7 @@ export abstract class FormRows extends FieldPart {
       .filter((key) => store.sizeWithTolerance(cycle, key) !== null);
     const native = store.get("control.form") === "cycle";
     const { computes, computesBetween } = store.post ?? {};
-    const acts = native
-      ? store.features.several && computesBetween
-      : computes;
+    const acts = native ? store.features.several && computesBetween : computes;
     const actions = keys.map(
       (key) => store.tolerance(cycle, key)?.action ?? "go",
     );
