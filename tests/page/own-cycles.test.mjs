@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
+  field,
   openText,
   page,
   panel,
@@ -218,10 +219,8 @@ test("the distance between two bores of a TNC follows from the parameters that i
       tolerances: { "ROW.distance": { tolerance: "±0.02" } },
     }),
   );
-  await page
-    .getByText("The program does not compute the relations")
-    .first()
-    .waitFor();
+  // The program computes it, too.
+  await settles(async () => /FN 13: /.test(await program()));
   await panel("measured");
   const text = page.locator("#measured");
   assert.match(
@@ -239,4 +238,26 @@ test("the distance between two bores of a TNC follows from the parameters that i
     async () =>
       /120\.050/.test(await textOf(row)) && /\bout\b/.test(await textOf(row)),
   );
+});
+
+test("a bore of a TNC did not follow the probed top: the box of its height proposes it, and the program computes with it", async () => {
+  await openText(
+    JSON.stringify({
+      format: 2,
+      control: { post: "heidenhain", form: "cycle" },
+      limits: { position: 1 },
+      cycles: [
+        { name: "FACE", type: "surface", origin: [-60, 0, 0] },
+        { name: "BORE", type: "hole", diameter: 25 },
+      ],
+    }),
+  );
+  await page.locator("button.feature", { hasText: "BORE" }).click();
+  const menu = page.locator(
+    '.number:has([id="f-cycle.origin[2]"]) select.equals',
+  );
+  await menu.selectOption("=FACE.point.z");
+  await settles(async () => /Q261=\+Q1980/.test(await program()));
+  assert.match(await program(), /FN 11: IF \+Q1600 GT \+1 GOTO LBL "STOP1"/);
+  assert.equal(await field("cycle.origin[2]").inputValue(), "=FACE.point.z");
 });
