@@ -2,6 +2,7 @@
 
 use crate::formula::node::{Samples, Variable};
 use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
+use crate::geom::Vec3;
 
 /// Source of the coordinates of the touches in a rewritten formula.
 pub(super) trait TriggerSource<'f> {
@@ -15,6 +16,34 @@ pub(super) struct RawTriggers;
 impl<'f> TriggerSource<'f> for RawTriggers {
     fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
         draft.trigger(sample, axis)
+    }
+}
+
+/// Reads single touches by the coordinate of the surface along an axis, which a control measures; the other coordinates are nominal.
+pub(super) struct SingleTouches<'f, 't> {
+    pub touches: &'t [SingleTouch],
+    /// The measured coordinates, in the order of the touches.
+    pub surfaces: Vec<Value<'f>>,
+}
+
+/// A touch along an axis.
+#[derive(Clone, Copy, Debug)]
+pub struct SingleTouch {
+    pub axis: usize,
+    /// Nominal ball centre at the contact.
+    pub center: Vec3,
+    /// Ball centre less surface, along the axis.
+    pub ball: f64,
+}
+
+impl<'f> TriggerSource<'f> for SingleTouches<'f, '_> {
+    fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
+        let touch = &self.touches[sample];
+        if axis == touch.axis {
+            self.surfaces[sample] + draft.length(touch.ball)
+        } else {
+            draft.length(touch.center[axis])
+        }
     }
 }
 

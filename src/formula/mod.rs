@@ -20,6 +20,7 @@ mod turned;
 pub use circle::{CircleFit, fit_circle};
 pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
+pub use lower::SingleTouch;
 pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
 pub use relate::{Operand, RELATIONS, Relation, RelationDef, RelationDrawing, RelationTerm};
@@ -436,6 +437,21 @@ impl Formula {
         let repeats = Repeats::of(times, along, self.used());
         let variables = lower::write(&self, &draft, &repeats);
         repeats.state(&draft, limit);
+        self.written(draft, &variables)
+    }
+
+    /// The formula over the surfaces that single touches measure, one for each sample. Their coordinates are the first assignments, in order.
+    pub fn over_single_touches(self, touches: &[SingleTouch]) -> Formula {
+        let draft = Draft::with_room_for(touches.len());
+        let surface = |(k, touch): (usize, &SingleTouch)| {
+            let trigger = draft.trigger(k, touch.axis);
+            draft.set(
+                Name::new("surface", k + 1),
+                trigger - draft.length(touch.ball),
+            )
+        };
+        let surfaces = touches.iter().enumerate().map(surface).collect();
+        let variables = lower::write(&self, &draft, &lower::SingleTouches { touches, surfaces });
         self.written(draft, &variables)
     }
 

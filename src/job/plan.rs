@@ -49,7 +49,7 @@ fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<PlannedJob> 
     let read = if is_set_up(value) {
         set_up::read(checker, value)
     } else {
-        Job::read(checker, value).map(PlannedJob::of)
+        Job::read(checker, value).map(PlannedJob::alone)
     };
     let mut planned = read?;
     tolerances::read(checker, value, &mut planned);

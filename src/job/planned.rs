@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::control::ProgramForm;
+use crate::control::native_run::compute;
 use crate::control::native_run::machine::{Alarm, BallContact};
 use crate::control::native_run::{CycleLinking, NativeCycles, NativeRequest, Rejections};
 use crate::cycle::Repeat;
@@ -12,7 +13,7 @@ use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::rows::{ParameterRow, parameter_row};
 use crate::part;
-use crate::path::{CallSequence, MovePurpose, Path, Surface};
+use crate::path::{CallBlock, CallSequence, MovePurpose, Path, Surface};
 use crate::text::words;
 
 /// The surfaces of a cycle in the sizes of the actual part, at their nominal position.
@@ -185,6 +186,23 @@ impl PlannedJob {
     /// Plans the path of a checked job and runs it.
     pub fn of(job: Job) -> Self {
         Self::at(job, None)
+    }
+
+    /// Plans a job with one cycle. If its native calls measure by single touches, the program computes the results after them.
+    pub fn alone(job: Job) -> Self {
+        let mut planned = Self::of(job);
+        let linking = planned.job.post.own.map(|own| own.several);
+        let path = &mut planned.path;
+        if let (Some(linking), Some(own)) = (linking, &mut path.calls)
+            && !own.measured.is_empty()
+        {
+            own.blocks.push((CallBlock::Compute(0), 0));
+            // A cycle has fewer values than the control has variables.
+            let _ = compute::allocate(path, linking);
+            let whole = path.clone();
+            compute::store_results(path, &whole, 0);
+        }
+        planned
     }
 
     /// Plans a cycle of a set-up whose native cycles make the link moves, at this height.

@@ -195,6 +195,7 @@ impl Reading<'_> {
         }
         if let Some(linking) = linking {
             allocate(checker, &mut whole.path, linking)?;
+            store_results(&mut whole);
         }
         dependencies::run(&mut whole);
         whole.run = run(&whole, PartState::Actual);
@@ -300,6 +301,16 @@ fn allocate(checker: &mut Checker, path: &mut Path, several: CycleLinking) -> Op
         }
     }
     Some(())
+}
+
+/// Tells each cycle where the program computes its results.
+fn store_results(whole: &mut PlannedJob) {
+    for m in 0..whole.members.len() {
+        let first = whole.path.cycles[m].results.start;
+        compute::store_results(&mut whole.members[m].path, &whole.path, first);
+        let calls = whole.members[m].path.calls.clone();
+        whole.path.cycles[m].path.calls = calls;
+    }
 }
 
 /// Limits of followed results, from the limits of a job.

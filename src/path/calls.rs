@@ -171,6 +171,11 @@ impl CallSequence {
                 count += 1;
             }
         }
+        for (_, stored) in &mut self.measured {
+            if let Stored::Kept(variable) = stored {
+                *variable = shift(*variable);
+            }
+        }
         for (_, stored) in &mut self.stored {
             *stored = match *stored {
                 Stored::Kept(variable) => Stored::Kept(shift(variable)),
@@ -198,6 +203,8 @@ pub struct CallSequence {
     pub counts: Vec<usize>,
     /// Storage of each result, by its code. [`Path::stored`](crate::path::Path::stored) answers for a set-up.
     pub stored: Vec<(&'static str, Stored)>,
+    /// Values of the formula that the calls store, by assignment: the program computes the results from them.
+    pub measured: Vec<(usize, Stored)>,
     /// Checks that the calls make before they write, in order.
     pub guards: Vec<Guard>,
     /// Touch settings, if the calls do not state them.

@@ -625,6 +625,22 @@ impl Path {
         }
     }
 
+    /// Values of the formula that native calls store besides results, by assignment.
+    pub fn measured_values(&self) -> Vec<(usize, Stored)> {
+        let of = |path: &Path, offset: usize| -> Vec<(usize, Stored)> {
+            let own = path.calls.iter().flat_map(|own| &own.measured);
+            own.map(|(index, stored)| (index + offset, *stored))
+                .collect()
+        };
+        match self.cycles.as_slice() {
+            [] => of(self, 0),
+            members => members
+                .iter()
+                .flat_map(|member| of(&member.path, member.variable_offset as usize))
+                .collect(),
+        }
+    }
+
     /// Variables of the results that the program of native cycles computes: those of relations.
     fn computed_results(&self) -> impl Iterator<Item = (usize, Stored)> {
         let all = self.relations.iter().flat_map(|own| own.results.clone());

@@ -705,8 +705,18 @@ fn what_no_cycle_does_is_refused() {
         ["set-up-too-long cycle.middleClearance"]
     );
     assert_eq!(
-        refused("double-wall-internal-corner", &[]),
+        refused("double-wall-external-corner", &[]),
         ["form-unsupported control.form"]
+    );
+    // Single touches write nothing, and touch along the axes.
+    let row = [("control.workOffset", number(1.0))];
+    assert_eq!(
+        refused("double-wall-internal-corner", &row),
+        ["work-offset-unsupported control.workOffset"]
+    );
+    assert_eq!(
+        refused("wall-angle", &[("cycle.rotation", number(10.0))]),
+        ["cycle-not-parallel cycle.rotation"]
     );
     let three = [
         ("cycle.variant", number(1.0)),

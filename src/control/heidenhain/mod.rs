@@ -1,4 +1,4 @@
-//! HEIDENHAIN: Klartext programs with native cycles, 1411 and 1493 of a TNC7, 408 to 427 of any TNC.
+//! HEIDENHAIN: Klartext programs with native cycles, 1411 and 1493 of a TNC7, 408 to 427 of any TNC; what has no cycle in our sources by single touches.
 //!
 //! The block head, the order of parameters and their comments follow the manual's example to the letter (`TRANSER POSITION` too); `S50` in the tool call comes
 //! from real programs. Recalled and not verified on a control [R]: that values with a tolerance are printed as `QS1116="10H7"`, the parameters of 1493, `INCH`
@@ -28,7 +28,7 @@ use crate::text::{text, words};
 pub static DEF: PostDef = PostDef {
     key: "heidenhain",
     title: "HEIDENHAIN TNC7 (Klartext)",
-    about: "a Klartext program with the control's own cycles: 1411, tolerances, semi-automatic and given positions included; 408 to 427 for surfaces, circles, rectangles, webs and grooves along the axes, which measure only or write a row of the preset table. Not verified on a control.",
+    about: "a Klartext program with the control's own cycles: 1411, tolerances, semi-automatic and given positions included; 408 to 427 for surfaces, circles, rectangles, webs and grooves along the axes, which measure only or write a row of the preset table; corners and the angle of a wall by single touches of cycle 427, measuring only. Not verified on a control.",
     extension: "h",
     work_offsets: 99,
     cycle_sets_preset: |subject| subject == FeatureKind::TwoCircles,
@@ -76,18 +76,9 @@ fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
         (_, ProgramForm::Moves) => Err(
             "our sources do not document the control's low-level probing blocks well enough to write these moves",
         ),
-        (
-            FeatureKind::CornerInside
-            | FeatureKind::CornerOutside
-            | FeatureKind::TripleInside
-            | FeatureKind::TripleOutside,
-            ProgramForm::Cycle,
-        ) => Err(
-            "no source shows the whole block of the corner cycles 414 and 415, and programs of one cycle 427 a touch with arithmetic in Q parameters are not made",
+        (FeatureKind::CornerOutside, ProgramForm::Cycle) => Err(
+            "cycle 427 goes from wall to wall above the part, and the cycle does not give its height",
         ),
-        (FeatureKind::Wall, ProgramForm::Cycle) => {
-            Err("no source shows the whole block of cycle 420")
-        }
         (_, ProgramForm::Cycle) => Ok(()),
     }
 }

@@ -13,6 +13,7 @@ use crate::control::native_run::{
 use crate::control::shop::place;
 use crate::control::{Program, Request, ResultOutput, check_write, native_run, write_summary};
 use crate::form::Checker;
+use crate::formula::SingleTouch;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
@@ -82,11 +83,8 @@ fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Pa
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
         Feature::Pairs(pairs) => program.pairs(pairs)?,
-        Feature::Corner(_)
-        | Feature::TwoCircles(_)
-        | Feature::Unmoving
-        | Feature::Wall(_)
-        | Feature::Several => {
+        Feature::Corner(_) | Feature::Wall(_) => return program.single_touches(meets),
+        Feature::TwoCircles(_) | Feature::Unmoving | Feature::Several => {
             return Ok(path.clone());
         }
     }
@@ -117,6 +115,9 @@ struct Plan<'a> {
     guards: Vec<Guard>,
     first: Vec3,
 }
+
+/// Q parameter in which cycle 427 leaves the measured coordinate.
+const COORDINATE: usize = 160;
 
 /// Codes of a centre.
 const CENTER: [&str; 2] = ["center.x", "center.y"];
@@ -449,6 +450,57 @@ impl Plan<'_> {
             )?;
         }
         Ok(())
+    }
+
+    /// A cycle that the control has not: each touch by cycle 427, and the results by the formula over the measured coordinates.
+    fn single_touches(mut self, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
+        let path = self.request.path;
+        if self.row().is_some() {
+            let message = text!(
+                "This feature is measured by single touches, which write no preset: leave the work offset empty"
+            );
+            let field = "control.workOffset";
+            return Err(native_run::refused(
+                "work-offset-unsupported",
+                field,
+                message,
+            ));
+        }
+        let (radius, high) = (self.request.setup.radius, self.high());
+        let mut touches: Vec<Option<SingleTouch>> = vec![None; path.touches.len()];
+        let mut measured = Vec::new();
+        for (k, from, _) in path.searches() {
+            let touch = &path.touches[k];
+            let entry = FieldValue {
+                field: "cycle",
+                value: from.map_or(0.0, |from| (from - touch.point).dot(touch.vector)),
+            };
+            let set_up = self.set_up(entry)?;
+            self.touches_surface(touch, (set_up, high), ("cycle.rotation", [""; 3]))?;
+            // The coordinate is a value of the formula, and no result.
+            self.stored.clear();
+            self.guards.clear();
+            let variable = FREE.0 + measured.len();
+            self.blocks
+                .push(CallBlock::SaveResult(variable, COORDINATE));
+            measured.push((k, Stored::Kept(variable)));
+            let axis = (0..3).find(|axis| executed_path::is_along(touch.vector, *axis));
+            let axis = axis.unwrap_or(0);
+            touches[k] = Some(SingleTouch {
+                axis,
+                center: touch.contact(radius),
+                ball: touch.vector[axis] * radius,
+            });
+        }
+        let Some(touches) = touches.into_iter().collect::<Option<Vec<_>>>() else {
+            return Ok(path.clone());
+        };
+        let mut path = self.finish(meets)?;
+        path.formula = std::mem::take(&mut path.formula).over_single_touches(&touches);
+        if let Some(own) = &mut path.calls {
+            own.measured = measured;
+        }
+        Ok(path)
     }
 
     /// The path of the cycles on the nominal part.

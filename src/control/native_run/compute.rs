@@ -2,7 +2,7 @@
 
 use crate::control::Request;
 use crate::control::native_run::CycleLinking;
-use crate::formula::{CheckKind, Node, ResultCheck, ToleranceAction};
+use crate::formula::{CheckKind, Node, ResultCheck, ResultDef, ToleranceAction};
 use crate::path::{CallBlock, CallSequence, Computed, Path, Stored};
 
 /// Why a program cannot compute a value.
@@ -50,6 +50,9 @@ pub fn allocate(path: &mut Path, several: CycleLinking) -> Result<Vec<usize>, La
             lacking.push(index);
         }
     }
+    for variable in computed_results(path).filter_map(|result| result.variable) {
+        wanted[variable.index()] |= known.computes[variable.index()];
+    }
     let (computed, last) = registers(path, &known, &wanted, free);
     if last > room.1 {
         return Err(Lack::Variables(last + 1 - room.0));
@@ -58,6 +61,32 @@ pub fn allocate(path: &mut Path, several: CycleLinking) -> Result<Vec<usize>, La
         own.computed = computed;
     }
     Ok(lacking)
+}
+
+/// Results of the cycles that measure by single touches.
+fn computed_results(path: &Path) -> impl Iterator<Item = &ResultDef> {
+    let computes = |path: &Path| path.calls.iter().any(|own| !own.measured.is_empty());
+    let alone = path.cycles.is_empty() && computes(path);
+    let members = path.cycles.iter().filter(move |own| computes(&own.path));
+    let of_members = members.flat_map(|own| &path.formula.results[own.results.clone()]);
+    let alone = path.formula.results.iter().filter(move |_| alone);
+    alone.chain(of_members)
+}
+
+/// Adds the variables of the computed results to those that the calls of a cycle store. `first` is the index of its first result in the joined formula.
+pub fn store_results(own: &mut Path, whole: &Path, first: usize) {
+    let (Some(calls), Some(computing)) = (&mut own.calls, &whole.calls) else {
+        return;
+    };
+    if calls.measured.is_empty() {
+        return;
+    }
+    let results = own.formula.results.iter().enumerate();
+    let stored = results.filter_map(|(i, result)| {
+        let variable = whole.formula.results[first + i].variable?;
+        Some((result.code, computing.stored_value(variable.index())?))
+    });
+    calls.stored = stored.collect();
 }
 
 /// Values that a program knows.
@@ -71,6 +100,9 @@ struct Known {
 fn known(path: &Path) -> Known {
     let formula = &path.formula;
     let mut stored = vec![None; formula.assignments.len()];
+    for (assignment, place) in path.measured_values() {
+        stored[assignment] = Some(place);
+    }
     for (result, place) in path.kept() {
         if let Some(variable) = formula.results[result].variable {
             stored[variable.index()] = Some(place);
@@ -149,6 +181,10 @@ pub fn before(
         Computed::Register(register) => Some((i, register)),
         Computed::Measured(_) => None,
     };
+    if path.cycles.is_empty() {
+        let all = (0..path.formula.assignments.len()).filter_map(register);
+        return (all.collect(), Vec::new());
+    }
     let values = path.computed_by(m - 1).filter_map(register).collect();
     let mut checks = match m < path.cycles.len() {
         true => path.asked_before(m, &request.limits),

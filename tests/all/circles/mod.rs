@@ -519,7 +519,7 @@ fn bad_input_is_named() {
         ["form-unsupported control.form"]
     );
     let corner = job(
-        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "double-wall-internal-corner" } }"#,
+        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "double-wall-external-corner" } }"#,
     );
     assert_eq!(errors(&corner), ["form-unsupported control.form"]);
 }

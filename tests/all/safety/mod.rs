@@ -62,8 +62,20 @@ fn every_rule_holds_for_every_control_and_cycle() {
                     if (post.key, def.key, offset) == ("heidenhain", "groove-protected", false) {
                         continue;
                     }
-                    let plan = plan(&job_for(def.key, post.key, form, offset))
-                        .unwrap_or_else(|e| panic!("{} {}: {e}", post.key, def.key));
+                    let plan = match plan(&job_for(def.key, post.key, form, offset)) {
+                        Ok(plan) => plan,
+                        // Single touches write nothing.
+                        Err(error)
+                            if offset
+                                && error
+                                    .findings
+                                    .iter()
+                                    .any(|f| f.code == "work-offset-unsupported") =>
+                        {
+                            continue;
+                        }
+                        Err(error) => panic!("{} {}: {error}", post.key, def.key),
+                    };
                     let names: Vec<&str> = plan.safety.iter().map(|row| row.rule).collect();
                     // Without a tolerance there is no action.
                     let asked = RULES.iter().map(|rule| rule.name).filter(|rule| {

@@ -172,6 +172,8 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
                 (3, [a, "*", b]) => value(a) * value(b),
                 (4, [a, "DIV", b]) => value(a) / value(b),
                 (5, ["SQRT", a]) => value(a).sqrt(),
+                (6, ["SIN", a]) => value(a).to_radians().sin(),
+                (7, ["COS", a]) => value(a).to_radians().cos(),
                 (8, [a, "LEN", b]) => value(a).hypot(value(b)),
                 (13, [a, "ANG", b]) => value(a).atan2(value(b)).to_degrees().rem_euclid(360.0),
                 other => panic!("FN {other:?}"),
@@ -218,7 +220,10 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
                     (157, (plus[0] + minus[0]) / 2.0),
                     (156, plus[0] - minus[0] + 6.0),
                 ],
-                (427, [one]) => vec![(160, one[2] - 3.0)],
+                (427, [one]) => {
+                    let (axis, towards) = (q[&272] as usize - 1, q[&267]);
+                    vec![(160, one[axis] + towards * 3.0)]
+                }
                 other => panic!("{other:?}"),
             };
             q.extend(put.into_iter().map(|(number, mm)| (number, mm / unit)));
@@ -609,4 +614,127 @@ fn random_native_set_ups_agree_with_their_programs() {
         followed += follows;
     }
     assert!(seen >= 200 && followed >= 200, "{seen} {followed}");
+}
+
+/// Corners and the angle of a wall on a TNC, which has no cycle for them in our sources: single touches by cycle 427, and the results by functions. The walls by
+/// hand, rotated about the origin and shifted: contacts and parameters are those of the plan, and the results those of the part.
+#[test]
+fn a_tnc_measures_corners_by_single_touches() {
+    let mut seen = 0;
+    for (cycle, inside, top) in [
+        (
+            r#""type": "double-wall-internal-corner", "origin": [10, 20, -5], "count1": 2, "count2": 2"#,
+            true,
+            false,
+        ),
+        (
+            r#""type": "double-wall-internal-corner", "origin": [10, 20, -5], "count1": 1, "count2": 1"#,
+            true,
+            false,
+        ),
+        (
+            r#""type": "triple-wall-internal-corner", "origin": [10, 20, -5]"#,
+            true,
+            true,
+        ),
+        (
+            r#""type": "triple-wall-external-corner", "origin": [10, 20, -5]"#,
+            false,
+            true,
+        ),
+        (
+            r#""type": "wall-angle", "origin": [10, 20, -5], "rotation": -90"#,
+            false,
+            false,
+        ),
+    ] {
+        let angle = cycle.contains("wall-angle");
+        for (degrees, [dx, dy, dz]) in [
+            (0.0, [0.0; 3]),
+            (0.0, [0.4, -0.3, 0.2]),
+            (0.6, [0.4, -0.3, 0.2]),
+            (-0.8, [-0.5, 0.2, -0.3]),
+        ] {
+            // One touch on each wall gives no angle.
+            if degrees != 0.0 && !angle && !cycle.contains("\"count1\": 2") {
+                continue;
+            }
+            for inch in [false, true] {
+                let text = format!(
+                    r#"{{ "format": 1, "control": {{ "post": "heidenhain", "form": "cycle" }}, "cycle": {{ {cycle} }} }}"#
+                );
+                let job = on_part(&text, "heidenhain", false, [dx, dy, dz]);
+                let job = with(&job, "part.rotation", Value::Number(degrees));
+                let job = if inch {
+                    convert_units(&job, "inch").unwrap()
+                } else {
+                    job
+                };
+                let unit = if inch { 25.4 } else { 1.0 };
+                let plan = planned(&job);
+                let (s, c) = f64::to_radians(degrees).sin_cos();
+                let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
+                let corner = turned([10.0, 20.0]);
+                let corner = [corner[0] + dx, corner[1] + dy];
+                let sign = if inside { 1.0 } else { -1.0 };
+                let wall = |normal: [f64; 2]| {
+                    let n = turned(normal);
+                    Face::Wall(n, n[0] * corner[0] + n[1] * corner[1])
+                };
+                let mut faces = match angle {
+                    true => vec![wall([0.0, -1.0])],
+                    false => vec![wall([sign, 0.0]), wall([0.0, sign])],
+                };
+                faces.extend(top.then_some(Face::Top(dz - 5.0)));
+                let ran = run_klartext(&plan.program.text, unit, &faces);
+                let what = format!("{cycle} {degrees} inch {inch}");
+                same(&ran.contacts, &of_run(&plan, unit), &what);
+                for row in plan.results.iter().filter(|row| row.stored.is_some()) {
+                    let (held, value) = (
+                        ran.variables[row.stored.as_ref().unwrap()],
+                        row.value.unwrap(),
+                    );
+                    let within = if row.unit == "deg" { 1e-3 } else { 1e-3 / unit };
+                    near(held, value, within, &format!("{what} {}", row.code));
+                    let truth = row.truth.unwrap();
+                    near(
+                        value,
+                        truth,
+                        4.0 * within,
+                        &format!("{what} {} is true", row.code),
+                    );
+                    seen += 1;
+                }
+                let back = crate::common::import(&plan.program.text).unwrap();
+                assert_eq!(planned(&back.job).program.text, plan.program.text);
+            }
+        }
+    }
+    assert!(seen >= 60, "{seen}");
+}
+
+/// A bore that follows a corner of single touches, and the line between both.
+#[test]
+fn a_bore_of_a_tnc_follows_a_corner() {
+    let text = r#"{ "format": 2, "control": { "form": "cycle" }, "limits": { "position": 1 },
+      "cycles": [
+        { "name": "EDGE", "type": "double-wall-internal-corner", "origin": [10, 20, -5], "count1": 2, "count2": 2 },
+        { "name": "BORE", "type": "hole", "diameter": 25, "origin": ["=EDGE.corner.x+60", "=EDGE.corner.y+60", 0] } ],
+      "relations": [{ "name": "WAY", "type": "line", "of": ["EDGE", "BORE"] }] }"#;
+    for [x, y] in [[0.0, 0.0], [0.4, -0.3], [-0.9, 0.8]] {
+        let plan = planned(&on_part(text, "heidenhain", false, [x, y, 0.0]));
+        let faces = [
+            Face::Wall([1.0, 0.0], 10.0 + x),
+            Face::Wall([0.0, 1.0], 20.0 + y),
+            Face::Circle([70.0 + x, 80.0 + y], 12.5),
+        ];
+        let heidenhain = touchpath::control::find("heidenhain").unwrap();
+        agree(&plan, heidenhain, 1.0, &faces, "a corner and a bore");
+        let way = plan
+            .results
+            .iter()
+            .find(|row| row.code == "distance")
+            .unwrap();
+        near(way.value.unwrap(), 60f64.hypot(60.0), 1e-6, "as drawn");
+    }
 }
