@@ -235,6 +235,12 @@ impl CallSequence {
             .map_or(&[], |(.., terms)| terms)
     }
 
+    /// Whether the program computes anything.
+    pub fn computes(&self) -> bool {
+        let computed = |place: &Option<Computed>| matches!(place, Some(Computed::Register(_)));
+        self.computed.iter().any(computed)
+    }
+
     /// Variable of a value that the program measures or computes.
     pub fn stored_value(&self, assignment: usize) -> Option<Stored> {
         match self.computed.get(assignment).copied().flatten()? {

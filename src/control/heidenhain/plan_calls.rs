@@ -184,6 +184,8 @@ impl Plan<'_> {
             return;
         };
         let log = match self.request.report {
+            // A coordinate that is no result.
+            _ if places.contains(&"") => 0.0,
             ResultOutput::None => 0.0,
             ResultOutput::Log => 1.0,
             ResultOutput::Screen => 2.0,
@@ -699,6 +701,10 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
             // The next cycle moves there.
             CallBlock::MoveTo(..) | CallBlock::Call(..) => {}
         }
+    }
+    if request.report == ResultOutput::Screen && own.computes() {
+        w.comment(&format!("Read the results now: {}", names.join(", ")));
+        w.line("STOP");
     }
     w.shop(&place::PROBE_OFF);
     w.shop(&place::FOOT);

@@ -228,8 +228,13 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
             };
             q.extend(put.into_iter().map(|(number, mm)| (number, mm / unit)));
             contacts.extend(made);
+        } else if block.starts_with("LBL \"STOP") {
+            // Below it the comment names the result; elsewhere the operator reads the results.
+            let notes = blocks[at..]
+                .iter()
+                .take_while(|block| block.starts_with("; "));
+            stopped = Some(notes.cloned().collect::<String>());
         } else if block == "STOP" {
-            stopped = Some(blocks[at - 2].clone());
         } else if block.starts_with("END PGM") {
             let variables = q.into_iter().map(|(q, value)| (format!("Q{q}"), value));
             return Ran {
