@@ -111,6 +111,21 @@ pub fn check_own(
         };
         checker.error("set-up-unsupported", "datum", message);
     }
+    // A macro writes measured less nominal, and takes the position that it follows for the nominal one.
+    let last = path.cycles.len() - 1;
+    let followed = written.place.iter().enumerate().find(|(i, of)| {
+        let axis = members[0].job.setup.plane.axes()[*i];
+        only_last && **of == Some(last) && path.cycles[last].placing.follows_axis(axis)
+    });
+    if let Some((i, _)) = followed {
+        let axis = AXIS_NAMES[members[0].job.setup.plane.axes()[i]];
+        let message = text!(
+            "{cycle} follows a result along {axis} and writes it: its macro would write the deviation from the followed position. Let it follow nothing along that axis, or write nothing",
+            name(last),
+            axis
+        );
+        checker.error("place-of-result", "datum", message);
+    }
     // Such a cycle writes everything that it measures, whatever the job states.
     let axes = members[0].job.setup.plane.axes();
     for (m, planned) in members.iter().enumerate() {

@@ -673,6 +673,18 @@ pub fn sense(checker: &mut Checker, path: &mut Path, members: &[PlannedJob]) -> 
                 FollowedValue::Size(n) => (limits.size, following.sizes[n].clone()),
             };
             let limit = limit.unwrap_or(0.0);
+            let single = planned
+                .path
+                .calls
+                .as_ref()
+                .is_some_and(|own| !own.measured.is_empty());
+            if single && matches!(value, FollowedValue::Place(0 | 1)) {
+                let message = text!(
+                    "This feature is measured by single touches: it follows a height, no position in the plane"
+                );
+                checker.error("place-of-result", format!("cycles[{m}].{field}"), message);
+                return None;
+            }
             match following.sensitivity(checker, planned, (value, limit)) {
                 Ok(known) => sensitivities.push(known),
                 Err(why) => {

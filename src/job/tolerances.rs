@@ -272,8 +272,16 @@ fn not_natively(
         let own = path.calls.as_ref()?;
         own.stored_value(variable.index())
     });
-    let last = path.cycles.len() - 1;
-    let writes = job.work_offset.is_some() && path.is_known_by(result, last) == Some(true);
+    let count = path.cycles.len();
+    let computed = variable.and_then(|variable| {
+        let own = path.calls.as_ref()?;
+        own.computed_before(variable.index())
+    });
+    let late = match computed {
+        Some(before) => before == count,
+        None => path.is_known_by(result, count - 1) == Some(true),
+    };
+    let writes = job.work_offset.is_some() && late;
     let at_once = job
         .post
         .own

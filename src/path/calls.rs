@@ -60,6 +60,17 @@ impl CallBlock {
         }
     }
 
+    /// Whether a word is the value that a coordinate shall get where the cycle writes: it stays that of the drawing.
+    pub fn is_wanted(&self, word: usize) -> bool {
+        match self {
+            CallBlock::Cycle(_, parameters) => {
+                let q = parameters.get(word).map(|(q, _)| *q);
+                matches!(q, Some(331..=333 | 405))
+            }
+            _ => false,
+        }
+    }
+
     /// Axis of the coordinate that a word of a link move gives.
     pub fn axis_of(&self, word: usize) -> Option<usize> {
         match self {
@@ -220,8 +231,8 @@ pub struct CallSequence {
 pub enum Computed {
     /// A result that a call measures.
     Measured(Stored),
-    /// A variable that the program computes.
-    Register(usize),
+    /// A variable that the program computes before this cycle, by its index; or after the last one.
+    Register { variable: usize, before: usize },
 }
 
 impl CallSequence {
@@ -237,15 +248,23 @@ impl CallSequence {
 
     /// Whether the program computes anything.
     pub fn computes(&self) -> bool {
-        let computed = |place: &Option<Computed>| matches!(place, Some(Computed::Register(_)));
+        let computed = |place: &Option<Computed>| matches!(place, Some(Computed::Register { .. }));
         self.computed.iter().any(computed)
+    }
+
+    /// Cycle before which the program computes a value, by its index.
+    pub fn computed_before(&self, assignment: usize) -> Option<usize> {
+        match self.computed.get(assignment).copied().flatten()? {
+            Computed::Register { before, .. } => Some(before),
+            Computed::Measured(_) => None,
+        }
     }
 
     /// Variable of a value that the program measures or computes.
     pub fn stored_value(&self, assignment: usize) -> Option<Stored> {
         match self.computed.get(assignment).copied().flatten()? {
             Computed::Measured(stored) => Some(stored),
-            Computed::Register(register) => Some(Stored::Kept(register)),
+            Computed::Register { variable, .. } => Some(Stored::Kept(variable)),
         }
     }
 }

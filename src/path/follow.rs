@@ -104,12 +104,16 @@ fn word_rates(calls: [Option<&CallSequence>; 3], by: f64) -> Option<Vec<Vec<f64>
     }
     let blocks = (0..own.blocks.len()).map(|i| {
         let [less, own, more] = [less, own, more].map(|calls| &calls.blocks[i].0);
+        let block = own;
         if !own.is_like(less) || !own.is_like(more) {
             return None;
         }
         let [less, own, more] = [less, own, more].map(CallBlock::values);
-        let words = less.into_iter().zip(own).zip(more);
-        let rate = |((less, own), more): ((Quantity, Quantity), Quantity)| {
+        let words = less.into_iter().zip(own).zip(more).enumerate();
+        let rate = |(word, ((less, own), more)): (usize, ((Quantity, Quantity), Quantity))| {
+            if block.is_wanted(word) {
+                return Some(0.0);
+            }
             let values = [less, own, more].map(Quantity::value);
             let rate = tidy((values[2] - values[1]) / by);
             let even = ((values[2] - values[1]) - (values[1] - values[0])).abs() <= EVEN;

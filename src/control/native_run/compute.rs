@@ -131,43 +131,91 @@ fn registers(
     free: usize,
 ) -> (Vec<Option<Computed>>, usize) {
     let formula = &path.formula;
+    let node = |i: usize| formula.assignments[i].node;
     let mut needed = wanted.to_vec();
-    let mut last_use: Vec<usize> = (0..needed.len()).collect();
     for i in (0..needed.len())
         .rev()
         .filter(|i| known.stored[*i].is_none())
     {
         if needed[i] {
-            formula.each(formula.assignments[i].node, &mut |node| {
+            formula.each(node(i), &mut |node| {
                 if let Node::Variable(earlier) = node {
                     needed[earlier.index()] = true;
-                    last_use[earlier.index()] = last_use[earlier.index()].max(i);
                 }
             });
         }
     }
-    let (mut spare, mut next): (Vec<usize>, usize) = (Vec::new(), free);
-    let mut computed = vec![None; needed.len()];
-    // A tolerance may be asked of any stored result.
-    let used = |i: &usize| needed[*i] || known.stored[*i].is_some();
-    for i in (0..computed.len()).filter(used) {
-        computed[i] = Some(match known.stored[i] {
-            Some(stored) => Computed::Measured(stored),
-            None => Computed::Register(spare.pop().unwrap_or_else(|| {
-                next += 1;
-                next - 1
-            })),
+    let mut computed: Vec<Option<Computed>> = vec![None; needed.len()];
+    for i in 0..needed.len() {
+        // A copy of a stored value needs no variable.
+        let copied = match formula.node(node(i)) {
+            Node::Variable(earlier) if needed[i] => match computed[earlier.index()] {
+                Some(Computed::Measured(stored)) => Some(stored),
+                _ => None,
+            },
+            _ => None,
+        };
+        computed[i] = known.stored[i].or(copied).map(Computed::Measured);
+    }
+    let steps = steps(path);
+    let computes = |i: &usize| needed[*i] && computed[*i].is_none();
+    let mut order: Vec<usize> = (0..needed.len()).filter(computes).collect();
+    order.sort_by_key(|i| (steps[*i], *i));
+    // Place in the order of the last value that reads each one.
+    let mut last_use = vec![0; needed.len()];
+    for (at, i) in order.iter().enumerate() {
+        formula.each(node(*i), &mut |node| {
+            if let Node::Variable(earlier) = node {
+                last_use[earlier.index()] = at;
+            }
         });
-        for (earlier, place) in computed[..i].iter().enumerate() {
-            if let Some(Computed::Register(register)) = place
-                && last_use[earlier] == i
-                && !wanted[earlier]
+    }
+    let (mut spare, mut next): (Vec<usize>, usize) = (Vec::new(), free);
+    for (at, i) in order.iter().enumerate() {
+        let variable = spare.pop().unwrap_or_else(|| {
+            next += 1;
+            next - 1
+        });
+        computed[*i] = Some(Computed::Register {
+            variable,
+            before: steps[*i],
+        });
+        for earlier in &order[..at] {
+            if let Some(Computed::Register { variable, .. }) = computed[*earlier]
+                && last_use[*earlier] == at
+                && !wanted[*earlier]
             {
-                spare.push(*register);
+                spare.push(variable);
             }
         }
     }
     (computed, next.max(1) - 1)
+}
+
+/// Cycle before which each value can be computed, by its index: a relation as soon as its operands are measured.
+fn steps(path: &Path) -> Vec<usize> {
+    let formula = &path.formula;
+    let relations: Vec<u16> = path
+        .relations
+        .iter()
+        .map(|own| formula.results[own.results.start].cycle)
+        .collect();
+    let after = |i: usize| (1..=path.cycles.len()).find(|m| path.computed_by(m - 1).contains(&i));
+    let mut steps: Vec<usize> = Vec::with_capacity(formula.assignments.len());
+    for (i, assignment) in formula.assignments.iter().enumerate() {
+        let mut step = 1;
+        if relations.contains(&assignment.cycle) {
+            formula.each(assignment.node, &mut |node| {
+                if let Node::Variable(earlier) = node {
+                    step = step.max(steps[earlier.index()]);
+                }
+            });
+        } else {
+            step = after(i).unwrap_or(0);
+        }
+        steps.push(step);
+    }
+    steps
 }
 
 /// Values that a program computes before cycle `m`, in order, each with its variable; and its checks: of what that cycle follows, and of tolerances that stop.
@@ -178,14 +226,13 @@ pub fn before(
 ) -> (Vec<(usize, usize)>, Vec<ResultCheck>) {
     let path = request.path;
     let register = |i: usize| match own.computed.get(i).copied().flatten()? {
-        Computed::Register(register) => Some((i, register)),
-        Computed::Measured(_) => None,
+        Computed::Register { variable, before } if before == m => Some((i, variable)),
+        _ => None,
     };
+    let values = (0..own.computed.len()).filter_map(register).collect();
     if path.cycles.is_empty() {
-        let all = (0..path.formula.assignments.len()).filter_map(register);
-        return (all.collect(), Vec::new());
+        return (values, Vec::new());
     }
-    let values = path.computed_by(m - 1).filter_map(register).collect();
     let mut checks = match m < path.cycles.len() {
         true => path.asked_before(m, &request.limits),
         false => Vec::new(),
@@ -193,10 +240,8 @@ pub fn before(
     // A relation is known once it is computed, a result of a cycle after its calls.
     let is_known =
         |check: &ResultCheck| match own.computed.get(check.variable.index()).copied().flatten() {
-            Some(Computed::Register(_)) => {
-                path.computed_by(m - 1).contains(&check.variable.index())
-            }
-            Some(Computed::Measured(_)) => path.cycles[m - 1].results.contains(&check.result),
+            Some(Computed::Register { before, .. }) => before == m,
+            Some(Computed::Measured(_)) => path.is_known_by(check.result, m - 1) == Some(true),
             None => false,
         };
     let stops = path.formula.tolerance_checks().filter(|check| {

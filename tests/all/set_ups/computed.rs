@@ -77,6 +77,8 @@ struct Ran {
     stopped: Option<String>,
     /// Cycles of a TNC that write a row of the preset table or activate it, with the row.
     rows: Vec<(u32, String)>,
+    /// What they write along X, Y and Z: measured less the value that the coordinate shall get.
+    written: [f64; 3],
 }
 
 /// A Fanuc with Renishaw's macros.
@@ -106,6 +108,7 @@ fn run_macros(text: &str, post: &str, unit: f64, faces: &[Face]) -> Ran {
             .collect(),
         stopped: control.alarm,
         rows: Vec::new(),
+        written: [f64::NAN; 3],
     }
 }
 
@@ -135,6 +138,7 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
     let mut q: BTreeMap<u32, f64> = BTreeMap::new();
     let mut contacts: Vec<[f64; 3]> = Vec::new();
     let (mut at, mut stopped, mut rows) = (0, None, Vec::new());
+    let mut written = [f64::NAN; 3];
     for _ in 0..10_000 {
         let block = blocks[at].clone();
         at += 1;
@@ -200,12 +204,21 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
                 rows.push((number, row.trim().to_owned()));
             }
             let put: Vec<(u32, f64)> = match (number, &made[..]) {
-                (247 | 417, _) => Vec::new(),
-                (412 | 421 | 422, [a, _, c, _]) => {
+                (417, [one]) => {
+                    written[2] = one[2] - 3.0 - q[&333] * unit;
+                    Vec::new()
+                }
+                (247, _) => Vec::new(),
+                (412 | 413 | 421 | 422, [a, _, c, _]) => {
                     let on = [made[1], made[3]];
                     let center = [(a[0] + c[0]) / 2.0, (on[0][1] + on[1][1]) / 2.0];
                     let far = (a[0] - center[0]).hypot(a[1] - center[1]);
-                    let ball = if number == 422 { -3.0 } else { 3.0 };
+                    if let (412 | 413, Some(x), Some(y)) = (number, q.get(&331), q.get(&332)) {
+                        written[0] = center[0] - x * unit;
+                        written[1] = center[1] - y * unit;
+                    }
+                    let outside = number == 413 || number == 422;
+                    let ball = if outside { -3.0 } else { 3.0 };
                     vec![
                         (151, center[0]),
                         (152, center[1]),
@@ -242,6 +255,7 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
                 variables: variables.collect(),
                 stopped,
                 rows,
+                written,
             };
         } else {
             let known = ["BEGIN PGM", "; ", "LBL "];
@@ -420,6 +434,10 @@ fn cycles_of_a_tnc_write_one_row_that_is_activated_at_the_end() {
             .iter()
             .filter(|row| row.code.starts_with("offset."));
         let shifts: Vec<f64> = shifts.map(|row| row.value.unwrap_or(f64::NAN)).collect();
+        let written = ran.written.into_iter().filter(|x| x.is_finite());
+        for (written, shift) in written.zip(&shifts).filter(|_| ran.stopped.is_none()) {
+            near(written, *shift, 1e-3, "what the row gets");
+        }
         (rows.collect::<Vec<u32>>(), shifts, ran.stopped.is_some())
     };
     let offset = [0.4, -0.3, 0.2];
@@ -428,6 +446,9 @@ fn cycles_of_a_tnc_write_one_row_that_is_activated_at_the_end() {
     for (shift, wanted) in shifts.iter().zip(offset) {
         near(*shift, wanted, 1e-6, "the shift of the origin");
     }
+    // The last bore follows the first one, and its new coordinates are those of the drawing.
+    let next = r#"{ "x": "NEXT.center.x", "y": "NEXT.center.y" }"#;
+    assert_eq!(of(next, offset).0, [417, 412, 247]);
     assert_eq!(of(r#"{ "z": null }"#, offset).0, [412, 247]);
     assert_eq!(of(r#"{ "x": null, "y": null }"#, offset).0, [417, 247]);
     let (rows, _, stopped) = of("null", [1.2, 0.0, 0.0]);
@@ -465,7 +486,7 @@ fn cycles_of_a_tnc_write_one_row_that_is_activated_at_the_end() {
     );
 }
 
-/// A tolerance that stops is compared as soon as its result is known: that of a cycle before the next one, that of a relation when it is computed.
+/// A tolerance that stops is compared as soon as its result is known: that of a cycle before the next one, that of a relation after its last operand.
 #[test]
 fn a_tolerance_stops_a_program_of_native_cycles() {
     let tolerances = r#""tolerances": { "BORE.diameter": { "tolerance": "±0.15", "action": "stop" }, "MID.mean": { "tolerance": "±0.03", "action": "stop" } },
@@ -474,8 +495,7 @@ fn a_tolerance_stops_a_program_of_native_cycles() {
     for post in computing() {
         for (larger, says, made) in [
             (0.2, Some("DIAMETER"), 5),
-            // No cycle follows the mean: it is computed at the end.
-            (0.1, Some("MEAN"), 11),
+            (0.1, Some("MEAN"), 9),
             (0.04, None, 11),
         ] {
             let job = on_part(&text, post.key, false, [0.0; 3]);
@@ -499,20 +519,6 @@ fn a_tolerance_stops_a_program_of_native_cycles() {
         let marks = text.replacen("\"stop\"", "\"mark\"", 1);
         let error = plan(&on_part(&marks, post.key, false, [0.0; 3])).unwrap_err();
         assert_eq!(error.findings[0].code, "tolerance-unsupported");
-        // Renishaw's macro writes while it measures: SLOT would be written before the program compares it.
-        let late = text.replacen("BORE.diameter", "SLOT.width", 1).replacen(
-            "\"form\": \"cycle\"",
-            "\"form\": \"cycle\", \"workOffset\": 1",
-            1,
-        );
-        if post.own.unwrap().several.activates.is_none() {
-            let error = plan(&on_part(&late, post.key, false, [0.0; 3])).unwrap_err();
-            assert_eq!(
-                error.findings[0].code, "tolerance-unsupported",
-                "{}",
-                post.key
-            );
-        }
     }
 }
 
@@ -742,4 +748,58 @@ fn a_bore_of_a_tnc_follows_a_corner() {
             .unwrap();
         near(way.value.unwrap(), 60f64.hypot(60.0), 1e-6, "as drawn");
     }
+}
+
+/// What would write or compute a wrong value is refused.
+#[test]
+fn what_native_cycles_cannot_follow_or_stop_is_refused() {
+    let errors = |cycles: &str, more: &str, post: &str| {
+        let text = format!(
+            r#"{{ "format": 2, "control": {{ "form": "cycle" {more} }}, "limits": {{ "position": 1 }}, "cycles": [
+              {{ "name": "A", "type": "hole", "diameter": 25 }}, {{ "name": "B", "type": "hole", "diameter": 25, "origin": [60, 0, 0] }}, {cycles} }}"#
+        );
+        match plan(&on_part(&text, post, false, [0.0; 3])) {
+            Ok(_) => Vec::new(),
+            Err(error) => error
+                .findings
+                .into_iter()
+                .filter(|f| f.level == touchpath::form::Level::Error)
+                .map(|f| format!("{} {}", f.code, f.path))
+                .collect(),
+        }
+    };
+    let follows =
+        r#"{ "name": "C", "type": "hole", "diameter": 25, "origin": ["=A.center.x+120", 0, 0] } ]"#;
+    let stays = r#"{ "name": "C", "type": "hole", "diameter": 25, "origin": [120, 0, 0] } ],
+      "relations": [{ "name": "D", "type": "line", "of": OF }], "tolerances": { "D.distance": { "tolerance": "±0.1", "action": "stop" } }"#;
+    let (early, late) = (
+        stays.replace("OF", r#"["A", "B"]"#),
+        stays.replace("OF", r#"["A", "C"]"#),
+    );
+    for post in computing().filter(|post| post.own.unwrap().several.activates.is_none()) {
+        let offset = r#", "workOffset": 1"#;
+        // A macro writes the deviation from the position at its call.
+        assert_eq!(
+            errors(follows, offset, post.key),
+            ["place-of-result datum"],
+            "{}",
+            post.key
+        );
+        assert!(errors(follows, "", post.key).is_empty(), "{}", post.key);
+        // The relation of the first two is compared before the last macro writes.
+        assert!(errors(&early, offset, post.key).is_empty(), "{}", post.key);
+        let refused = errors(&late, offset, post.key);
+        assert_eq!(
+            refused,
+            ["tolerance-unsupported tolerances.D.distance.action"],
+            "{}",
+            post.key
+        );
+    }
+    // The formula of single touches has the other coordinates of the drawing.
+    let corner = r#"{ "name": "C", "type": "double-wall-internal-corner", "origin": ["=A.center.x+120", 0, 0], "count1": 2, "count2": 2 } ]"#;
+    assert_eq!(
+        errors(corner, "", "heidenhain"),
+        ["place-of-result cycles[2].origin[0]"]
+    );
 }
