@@ -166,8 +166,9 @@ test("parts that were read from a control's variables are told apart, and their 
       tolerances: { "ROW.distance": { tolerance: "±0.1" } },
     });
     const plan = touchpath.plan(job);
-    const variables = plan.results.flatMap(({ stored }) =>
-      stored === null ? [] : [stored],
+    // Some programs compute the relation, too: it is not entered.
+    const variables = plan.results.flatMap(({ cycle, stored }) =>
+      stored === null || cycle >= plan.cycles.length ? [] : [stored],
     );
     assert.equal(variables.length, 6);
     const values = (/** @type {number} */ x) => [-60, 0, 20, x, 0, 20];

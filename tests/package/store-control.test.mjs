@@ -15,7 +15,7 @@ test("a cycle that its control does not take goes back to the control before it,
     /^This is a cycle of HEIDENHAIN TNC7 \(Klartext\); the program for SINUMERIK/,
   );
   store.chooseControl("heidenhain");
-  store.choose("double-wall-internal-corner");
+  store.choose("double-wall-external-corner");
   assert.equal(store.get("control.post"), "sinumerik");
   assert.match(
     told.at(-1) ?? "",

@@ -156,7 +156,7 @@ test("the form follows the control, and the control stays where it takes the cyc
     [store.get("control.post"), store.get("control.form")],
     ["heidenhain", "cycle"],
   );
-  store.choose("double-wall-internal-corner");
+  store.choose("double-wall-external-corner");
   assert.notEqual(store.get("control.post"), "heidenhain");
 });
 

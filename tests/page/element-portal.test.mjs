@@ -304,7 +304,7 @@ test("a job that names another control than the page asks for says so, to the us
 
 test("a cycle that the control does not take made a program for another control: it has an error", async () => {
   await open(
-    '<touch-path post="heidenhain" cycle="double-wall-internal-corner"></touch-path>',
+    '<touch-path post="heidenhain" cycle="double-wall-external-corner"></touch-path>',
   );
   const state = () =>
     on((element) => [

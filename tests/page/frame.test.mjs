@@ -168,7 +168,7 @@ test("the box at the foot says what the field in focus is, puts its default back
 });
 
 test("a control that does not take this cycle says why when it is chosen, and the job stays", async () => {
-  await field("cycle.type").selectOption("double-wall-internal-corner");
+  await field("cycle.type").selectOption("double-wall-external-corner");
   const options = await field("control.post")
     .locator("option.not")
     .evaluateAll((all) =>
