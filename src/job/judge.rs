@@ -181,7 +181,9 @@ pub fn report_judged(
     } else {
         "part"
     };
-    if let Some(what) = stops_for(path, &run.triggers, rows, checker) {
+    // The limits of a native cycle that follows a result count from the followed value.
+    let called = run.shifted_path.as_deref().unwrap_or(path);
+    if let Some(what) = stops_for(called, &run.triggers, rows, checker) {
         let message = match writes {
             true => text!(
                 "On this part the native cycle stops with a message before it writes: {what}",

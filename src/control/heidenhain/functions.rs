@@ -98,7 +98,8 @@ impl<'a> Functions<'a> {
         }
     }
 
-    /// Values of the words of a call that follow results: each in a parameter of its own. `words` are the values, in units of the program.
+    /// Computes the words of a call that follow results, each into a separate parameter, and returns these parameters. `words` are the nominal values, in units of
+    /// the program.
     pub fn shift(&mut self, w: &mut Writer<'_>, block: usize, words: &[f64]) -> Vec<Option<usize>> {
         self.next = AT_ONCE.0;
         let word = |(i, value): (usize, &f64)| {
@@ -190,7 +191,7 @@ impl<'a> Functions<'a> {
         self.next = first;
     }
 
-    /// A right operand: if it must be computed, in a parameter of its own.
+    /// A right operand. An expression is computed into a separate parameter first.
     fn right(&mut self, w: &mut Writer<'_>, formula: &Formula, node: NodeId) -> String {
         if let Some(text) = self.plain(formula, node) {
             return text;

@@ -138,7 +138,7 @@ impl Reader {
             {
                 self.listed(&name(p), arguments(), place);
                 self.renishaw = self.run.is_some();
-                // These measure nothing: the outputs are those of the macro before.
+                // Switching the probe keeps the outputs of the last measurement; 9834 and 9835 have outputs that are not modelled.
                 if p % 1000.0 > 833.0 {
                     self.outputs.clear();
                 }

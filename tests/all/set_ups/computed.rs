@@ -803,3 +803,26 @@ fn what_native_cycles_cannot_follow_or_stop_is_refused() {
         ["place-of-result cycles[2].origin[0]"]
     );
 }
+
+/// On a rotated part the second bore is 1.3 mm from its place on the drawing, and 0.8 mm from the one that it follows: with a limit of 1 mm no call stops. By
+/// hand: 0.5 + 60 sin 0.8° and 60 sin 0.8°.
+#[test]
+fn limits_of_a_native_cycle_count_from_the_followed_position() {
+    let text = r#"{ "format": 2, "control": { "form": "cycle" }, "limits": { "position": 1 },
+      "cycles": [
+        { "name": "BORE", "type": "hole", "diameter": 25 },
+        { "name": "NEXT", "type": "hole", "diameter": 25, "origin": [60, Y, 0] } ] }"#;
+    for post in computing() {
+        let stops = |y: &str| {
+            let job = on_part(&text.replace('Y', y), post.key, false, [0.0, 0.5, 0.0]);
+            let plan = planned(&with(&job, "part.rotation", Value::Number(0.8)));
+            plan.findings.iter().any(|finding| {
+                finding
+                    .message
+                    .contains("the native cycle stops with a message")
+            })
+        };
+        assert!(stops("0"), "{}", post.key);
+        assert!(!stops("\"=BORE.center.y\""), "{}", post.key);
+    }
+}

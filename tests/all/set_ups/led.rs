@@ -385,6 +385,12 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
     );
 }
 
+/// Whether the program of a control computes between native cycles.
+fn computes_between(post: &str) -> bool {
+    let own = touchpath::control::find(post).unwrap().own.unwrap();
+    own.several.computes
+}
+
 /// Two bores of native cycles and the line through them.
 fn of_own_cycles(post: &str, more: &str) -> Value {
     let text = format!(
@@ -409,12 +415,7 @@ fn relations_follow_from_what_own_cycles_keep() {
             post,
             r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1" } }"#,
         ));
-        let computes = touchpath::control::find(post)
-            .unwrap()
-            .own
-            .unwrap()
-            .several
-            .computes;
+        let computes = computes_between(post);
         let reported = plan
             .findings
             .iter()
@@ -715,12 +716,7 @@ fn own_cycles_do_nothing_by_a_relation() {
         let stop =
             r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "action": "stop" } }"#;
         // A program that computes between the cycles stops.
-        let computes = touchpath::control::find(post)
-            .unwrap()
-            .own
-            .unwrap()
-            .several
-            .computes;
+        let computes = computes_between(post);
         let refused: &[&str] = match computes {
             true => &[],
             false => &["tolerance-unsupported tolerances.ROW.distance.action"],
