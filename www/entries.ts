@@ -3,6 +3,7 @@ import {
   type CycleEntry,
   type FieldEntry,
   type PostEntry,
+  type ResultTolerance,
   say,
   type Words,
 } from "./core/browser.js";
@@ -133,9 +134,19 @@ export abstract class CatalogView extends Phrases {
   counts(path: string, field: FieldEntry): boolean {
     const key = /^control\.(\w+)$/.exec(path)?.[1];
     if (key !== undefined && this.post?.unused.includes(key)) return false;
+    if (key === "toolOffsets" && !this.correctsByMoves) return false;
     const { when } = field;
     return (
       when === null || this.get(path.replace(/\w+$/, when.key)) === when.value
+    );
+  }
+
+  /** Whether a program of moves corrects a tool by one of its results. */
+  private get correctsByMoves(): boolean {
+    const tolerances = Object.values(this.get("tolerances") ?? {});
+    return (
+      this.get("control.form") !== "cycle" &&
+      tolerances.some((one) => Boolean((one as ResultTolerance)?.wear))
     );
   }
 

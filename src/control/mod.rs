@@ -3,6 +3,7 @@
 //! A post takes a checked path and prints it; it is independent of cycles. Every move of the path is printed, one block each, and every touch continues past
 //! its nominal contact by the overtravel.
 
+pub mod corrections;
 mod fanuc;
 mod grbl;
 pub mod header;
@@ -17,6 +18,7 @@ pub mod native_run;
 mod number;
 mod offsets;
 pub mod prove;
+mod prove_corrections;
 pub mod release;
 pub mod renishaw;
 pub mod rules;
@@ -28,6 +30,7 @@ mod write_summary;
 
 use std::cell::OnceCell;
 
+use crate::control::corrections::{ToolOffsets, ToolTable};
 use crate::control::iso::codes::Family;
 use crate::control::iso::registers::{ComputeTiming, Registers};
 use crate::control::iso::script::{ReadError, Script};
@@ -230,6 +233,8 @@ pub struct PostDef {
     pub unsupported_rules: &'static [(&'static str, &'static str)],
     /// Name of a program, from the name of the job.
     pub name: fn(&str) -> String,
+    /// Registers of its tools, if a program of moves can correct them.
+    pub tools: Option<&'static ToolTable>,
     /// Rate of a move from the current ball centre, mm/min; `None` is the rapid rate.
     pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
     /// Whether a program in a form can probe this feature, and why not: its row of the support matrix.
@@ -282,6 +287,7 @@ pub const BASE: PostDef = PostDef {
     family: Family::Iso,
     unsupported_rules: &[],
     name: comment_text,
+    tools: None,
     rate: feed_rate,
     supports: |_, _| Err(""),
     check: |_, _| {},
@@ -376,6 +382,7 @@ pub struct Request<'a> {
     pub probe_input: usize,
     pub report: ResultOutput,
     pub ask: Ask,
+    pub tool_offsets: ToolOffsets,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     pub path: &'a Path,
@@ -437,7 +444,7 @@ impl Request<'_> {
 
     /// Whether the program may wait for the operator before it writes.
     pub fn asks(&self) -> bool {
-        self.ask != Ask::Never && self.form == ProgramForm::Moves && self.writes_offset()
+        self.ask != Ask::Never && self.form == ProgramForm::Moves && self.writes_tables()
     }
 
     /// Whether it always waits.

@@ -71,14 +71,8 @@ pub trait Moves {
     /// Shows the results and waits for the operator: if a check fails, or always without checks. Only on a control that can write a work offset.
     fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _checks: &[ResultCheck]) {}
 
-    /// The single write of a work offset.
-    fn write(
-        &mut self,
-        _w: &mut Writer<'_>,
-        _formula: &Formula,
-        _number: i32,
-        _datum: &OffsetCorrection,
-    ) {
+    /// The single write of a work offset, and the corrections of tools.
+    fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _datum: Option<WrittenDatum<'_>>) {
     }
 
     /// Shows the results to the operator; after native cycles as well.
@@ -87,6 +81,9 @@ pub trait Moves {
     /// The end of the program, and the exits after it.
     fn end(&mut self, w: &mut Writer<'_>);
 }
+
+/// Number of a work offset, and what it gets.
+pub type WrittenDatum<'a> = (i32, &'a OffsetCorrection);
 
 /// Storage of one coordinate of a trigger.
 #[derive(Clone, Debug, Default)]
@@ -194,14 +191,13 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
     for question in &request.questions() {
         hooks.check_result(w, formula, question);
     }
-    if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
-        && datum.writes()
-    {
+    if request.writes_tables() {
         if request.asks() {
             hooks.ask(w, formula, &request.ask_checks());
         }
         w.shop(&place::BEFORE_WRITE);
-        hooks.write(w, formula, number, datum);
+        let datum = formula.datum.as_ref().filter(|_| request.writes_offset());
+        hooks.write(w, formula, request.work_offset.zip(datum));
     }
     hooks.report(w, formula);
 }

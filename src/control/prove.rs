@@ -3,8 +3,8 @@
 use crate::control::iso::machine::{self, ProbeOutcome, ResultCheckpoint, Run};
 use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
-use crate::control::trace::{Kind, Place, Step, Trace};
-use crate::control::{ProgramForm, Request};
+use crate::control::trace::{Kind, Place, Step, Trace, WrittenValue};
+use crate::control::{ProgramForm, Request, prove_corrections};
 use crate::formula::{CheckKind, Dual, Formula, Node, ResultCheck, Role, Variable};
 use crate::geom::Vec3;
 use crate::path::{Arc, Dependency, LINK_STEP, Move, MovePurpose, Path, ShiftTerm, Shifts, Touch};
@@ -184,7 +184,16 @@ pub fn read_and_trace<'t>(
             })
             .collect()
     };
-    let script = read(text).map_err(faults)?;
+    let mut script = read(text).map_err(faults)?;
+    // Errors of earlier parts: the next one corrects the tool.
+    for correction in request.corrections() {
+        let values = [f64::from(correction.parts - 1), 0.0];
+        for (name, value) in correction.kept.iter().zip(values) {
+            script
+                .kept
+                .extend(script.find(name.as_bytes()).map(|slot| (slot, value)));
+        }
+    }
     let mut triggers = vec![Vec3::ZERO; request.path.touches.len()];
     for (k, from, step) in request.path.searches() {
         triggers[k] = trigger(
@@ -209,7 +218,7 @@ pub fn read_and_trace<'t>(
         triggers.clone_from(&triggered.triggers);
     }
     // If nothing is written and no tolerance is checked, the end of the program does not depend on its results.
-    let asks = request.writes_offset()
+    let asks = request.writes_tables()
         || request
             .questions()
             .iter()
@@ -312,6 +321,15 @@ pub fn prove(
     let arithmetic = request.post.computes;
     if let Err(fault) = results(request, followed) {
         faults.push(fault);
+    }
+    let traced = (&followed.script, followed.run_start, &followed.tail);
+    if let Err((line, message)) = prove_corrections::corrections(request, &followed.trace, traced) {
+        let understood = true;
+        faults.push(Fault {
+            line,
+            message,
+            understood,
+        });
     }
     if !followed.trace.ends {
         faults.push(Fault::of(text!("the program has no end")));
@@ -1044,6 +1062,14 @@ fn equal(given: f64, value: &Dual, unit: f64, size: f64) -> bool {
     off <= size * reach || (given.is_nan() && value.value.is_nan())
 }
 
+/// Line and number of each work offset that is written.
+fn offsets(trace: &Trace) -> impl Iterator<Item = (usize, i32)> {
+    trace.writes.iter().filter_map(|write| match write.what {
+        WrittenValue::Offset(number, _) => Some((write.line, number)),
+        WrittenValue::Tool(_) => None,
+    })
+}
+
 /// Checks the write: afterwards the measured point must read its nominal position, and the system must be rotated as measured.
 fn write(
     request: &Request<'_>,
@@ -1058,27 +1084,20 @@ fn write(
         .as_ref()
         .filter(|_| request.work_offset.is_some());
     let Some(datum) = datum.filter(|datum| datum.writes()) else {
-        return if trace.writes.is_empty() {
-            Ok(())
-        } else {
-            Err(Fault::at(
-                trace.writes[0].line,
+        return match offsets(trace).next() {
+            None => Ok(()),
+            Some((line, _)) => Err(Fault::at(
+                line,
                 text!("this writes a work offset, and nothing is to be written"),
-            ))
+            )),
         };
     };
     let Some(written) = trace.written else {
         return Err(Fault::of(text!("the work offset is not written")));
     };
-    if let Some(other) = trace
-        .writes
-        .iter()
-        .find(|w| Some(w.number) != request.work_offset)
-    {
-        return Err(Fault::at(
-            other.line,
-            text!("this writes another work offset"),
-        ));
+    let other = offsets(trace).find(|(_, number)| Some(*number) != request.work_offset);
+    if let Some((line, _)) = other {
+        return Err(Fault::at(line, text!("this writes another work offset")));
     }
     let value = |variable: Variable| values[variable.index()].clone();
     let turn = datum.rotation.map_or(Dual::constant(0.0), value);

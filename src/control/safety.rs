@@ -8,7 +8,7 @@ use crate::control::rules::{
     ASKED, CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE,
     RESTART, TOLERANCE, WATCHED, WRITE_LAST,
 };
-use crate::control::trace::{Kind, ProbeConsequence, Step};
+use crate::control::trace::{Kind, ProbeConsequence, Step, WrittenValue};
 use crate::formula::{CheckKind, ResultCheck};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
@@ -42,7 +42,7 @@ pub enum Scope {
     Motions(fn(&Step) -> bool),
     /// Lines of the motions that are not retracts.
     Positioning,
-    /// Lines that write a work offset.
+    /// Lines that write a work offset or a tool.
     Writes,
 }
 
@@ -194,7 +194,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: WRITE_LAST,
-        requirement: "No work offset is written before every touch has succeeded, and none on the way to an exit",
+        requirement: "No work offset and no tool is written before every touch has succeeded, and none on the way to an exit",
         why: "A half-measured offset looks like a good one.",
         mandatory: true,
         own_cycle: true,
@@ -221,7 +221,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: ASKED,
-        requirement: "If the job asks for it, the program waits for the operator before it writes a work offset",
+        requirement: "If the job asks for it, the program waits for the operator before it writes a work offset or a tool",
         why: "The program would write a value that the operator has not seen.",
         mandatory: true,
         own_cycle: true,
@@ -763,7 +763,7 @@ fn offset_after_touches(case: &RuleContext<'_>) -> Vec<Violation> {
         .map(|write| {
             (
                 Some(write.line),
-                text!("This writes a work offset before the last touch"),
+                text!("This writes a work offset or a tool before the last touch"),
             )
         })
         .collect();
@@ -776,7 +776,7 @@ fn offset_after_touches(case: &RuleContext<'_>) -> Vec<Violation> {
     breaks.extend(exits.map(|step| {
         (
             Some(step.line),
-            text!("On the way to the exit a work offset is written"),
+            text!("On the way to the exit a work offset or a tool is written"),
         )
     }));
     breaks
@@ -788,13 +788,16 @@ fn one_write(case: &RuleContext<'_>) -> Vec<Violation> {
         .iter()
         .enumerate()
         .filter(|(i, write)| {
-            writes[..*i].iter().any(|before| before.axis == write.axis)
-                || Some(write.number) != case.request.work_offset
+            let other = match write.what {
+                WrittenValue::Offset(number, _) => Some(number) != case.request.work_offset,
+                WrittenValue::Tool(_) => false,
+            };
+            other || writes[..*i].iter().any(|before| before.what == write.what)
         })
         .map(|(_, write)| {
             (
                 Some(write.line),
-                text!("This writes a value of a work offset again, or another work offset"),
+                text!("This writes a value again, or another work offset"),
             )
         })
         .collect()
@@ -988,7 +991,7 @@ fn tolerance_obeyed(case: &RuleContext<'_>) -> Vec<Violation> {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
-    let writes = case.request.writes_offset();
+    let writes = case.request.writes_tables();
     let mut endings = endings(case);
     let mut breaks: Vec<Violation> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
@@ -1094,7 +1097,10 @@ fn restart_blocks(case: &RuleContext<'_>, touches: &[usize]) -> Vec<usize> {
 /// while the program waits for the operator.
 fn restart_values(followed: &Followed<'_>) -> (Option<Vec<f64>>, Vec<f64>, Vec<Vec<f64>>) {
     let Followed { script, tail, .. } = followed;
-    let empty = vec![script.unset_value.unwrap_or(f64::NAN); script.slots];
+    let mut empty = vec![script.unset_value.unwrap_or(f64::NAN); script.slots];
+    for (slot, value) in &script.kept {
+        empty[*slot as usize] = *value;
+    }
     let Some(unset) = script.unset_value else {
         return (None, empty, Vec::new());
     };

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::control::iso::script::Modes;
+use crate::control::iso::script::{Modes, Part, ToolRegister};
 
 /// A position, in the units of the program and the work coordinate system.
 pub type Place = [f64; 3];
@@ -20,8 +20,8 @@ pub struct Trace {
     pub spindle_line: Option<usize>,
     /// Results that it reports: code and value.
     pub outputs: Vec<(String, f64)>,
-    /// Writes to work offsets.
-    pub writes: Vec<OffsetWrite>,
+    /// Writes to work offsets and tools.
+    pub writes: Vec<TableWrite>,
     /// Reading of the ball centre in the written work offset after all writes, and the rotation of the system.
     pub written: Option<OffsetEffect>,
     /// Lines of native cycles.
@@ -39,19 +39,22 @@ impl Trace {
             .map(|step| step.line)
     }
 
-    /// Records that a block writes these axes of a work offset, and its rotation.
-    pub fn wrote(&mut self, line: usize, number: i32, axes: [bool; 3], turn: bool) {
+    /// Records what a block writes.
+    pub fn wrote(&mut self, line: usize, written: Written) {
         let after = self.steps.len();
-        let own = (0..3)
-            .filter(|axis| axes[*axis])
-            .map(Some)
-            .chain(turn.then_some(None));
-        self.writes.extend(own.map(|axis| OffsetWrite {
-            line,
-            number,
-            axis,
-            after,
-        }));
+        let mut add = |what| self.writes.push(TableWrite { line, what, after });
+        match written {
+            Written::Part(Part::Origin(number, axis)) => {
+                add(WrittenValue::Offset(number, Some(axis)));
+            }
+            Written::Part(Part::Turn(number, _)) => add(WrittenValue::Offset(number, None)),
+            Written::Part(Part::Tool(register)) => add(WrittenValue::Tool(register)),
+            Written::Offset(number, axes, turn) => {
+                let own = (0..3).filter(|axis| axes[*axis]).map(Some);
+                own.chain(turn.then_some(None))
+                    .for_each(|axis| add(WrittenValue::Offset(number, axis)));
+            }
+        }
     }
 }
 
@@ -119,7 +122,7 @@ pub enum ProbeConsequence {
         lifts: bool,
         /// Whether it moves in any other direction before.
         moves_sideways: bool,
-        /// Whether it writes a work offset before.
+        /// Whether it writes a work offset or a tool before.
         writes: bool,
     },
 }
@@ -131,15 +134,29 @@ impl ProbeConsequence {
     }
 }
 
-/// One write to a work offset.
+/// What a block writes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OffsetWrite {
+pub enum Written {
+    /// One value.
+    Part(Part),
+    /// Axes of a work offset, 1 = G54, and its rotation.
+    Offset(i32, [bool; 3], bool),
+}
+
+/// A value that a program writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WrittenValue {
+    /// Number of a work offset, 1 = G54, and its axis; `None` is the rotation.
+    Offset(i32, Option<usize>),
+    Tool(ToolRegister),
+}
+
+/// One write to a work offset or a tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TableWrite {
     /// Its 0-based line.
     pub line: usize,
-    /// The number of the offset, 1 = G54.
-    pub number: i32,
-    /// The axis; `None` is the rotation.
-    pub axis: Option<usize>,
+    pub what: WrittenValue,
     /// Number of motions before it.
     pub after: usize,
 }

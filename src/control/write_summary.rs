@@ -92,12 +92,19 @@ impl Request<'_> {
         }
     }
 
-    /// Tool offsets that its macros correct.
+    /// Tool offsets that its macros correct, or the program itself.
     fn tools(&self) -> Vec<i32> {
+        let own = || {
+            let tools = self.corrections().into_iter();
+            let mut tools: Vec<i32> = tools.map(|own| own.wear.tool).collect();
+            tools.sort_unstable();
+            tools.dedup();
+            tools
+        };
         self.path
             .calls
             .as_ref()
-            .map_or_else(Vec::new, |own| own.tools())
+            .map_or_else(own, |calls| calls.tools())
     }
 
     /// Summary for the work offset of the job; `None` if the job names no offset.
@@ -174,6 +181,12 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     const CYCLE: &str = ": the cycle corrects the active preset by itself";
     let how = match (request.work_offset, request.preset()) {
         _ if matches!(request.path.feature, Feature::Unmoving) => "",
+        (None, None) if request.corrects_tools() => {
+            ": by the mean error of several parts, at the very end. No work offset is written"
+        }
+        (Some(_), None) if request.corrects_tools() => {
+            ": at the very end, the tool by the mean error of several parts"
+        }
         (None, None) if !request.tools().is_empty() => {
             ": by the macros, as soon as the size is measured. No work offset is written"
         }

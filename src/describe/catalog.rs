@@ -233,6 +233,8 @@ pub struct PostEntry {
     pub computes_between: bool,
     /// Whether its native cycles can correct a tool offset from a measured size.
     pub corrects_tools: bool,
+    /// Whether its programs of moves can correct a tool from the mean error of several parts.
+    pub corrects_by_moves: bool,
     /// Fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
     /// Usual lines of a shop for `machine.frame`, by place.
@@ -317,6 +319,7 @@ pub fn catalog() -> Catalog {
                 computes: post.computes,
                 computes_between: post.own.is_some_and(|own| own.several.computes),
                 corrects_tools: post.own.is_some_and(|own| own.corrects_tools),
+                corrects_by_moves: post.tools.is_some(),
                 unused: post.unused,
                 usual_lines: post
                     .usual_lines

@@ -85,9 +85,13 @@ pub struct Wear {
     pub tool: i32,
     /// Feedback: share of the error that is corrected, more than 0 and at most 1.
     pub share: f64,
+    /// Whether its length is corrected, by a height; otherwise its radius, by a size.
+    pub length: bool,
+    /// Change of the tool's radius or length for an error of 1 in the result: 0.5 for what is too large inside, -0.5 outside, -1 for a height.
+    pub sense: f64,
     /// Dead band: errors up to this are not corrected, mm.
     pub dead_band: f64,
-    /// Number of parts in the mean, and the number of the offset that keeps it; `None` corrects after every part.
+    /// Number of parts in the mean, and the number of the offset or variable that keeps it; `None` corrects after every part.
     pub mean: Option<(i32, i32)>,
 }
 
@@ -529,6 +533,12 @@ impl Formula {
             Some(ResultCheck { asked, ..check })
         }));
         questions
+    }
+
+    /// Whether a result corrects a tool.
+    pub fn corrects_tools(&self) -> bool {
+        let wear = |result: &ResultDef| result.tolerance.is_some_and(|own| own.wear.is_some());
+        self.results.iter().any(wear)
     }
 
     /// Checks of all results with a tolerance, whatever its action.

@@ -391,7 +391,16 @@ fn predicted(
         // If the program stops before a dependent cycle, it makes no further checks.
         if writes.is_some() {
             report_judged(planned, &rows, &off, writes == Some(true), checker);
-            wear::report(path, &rows, job.limits.size, checker);
+            match (job.form, job.post.tools) {
+                (ProgramForm::Cycle, _) => {
+                    wear::report_macros(path, &rows, job.limits.size, checker);
+                }
+                (ProgramForm::Moves, Some(table)) => {
+                    let settings = (table, job.tool_offsets, &job.limits);
+                    wear::report_means(path, &rows, settings, checker);
+                }
+                (ProgramForm::Moves, None) => {}
+            }
         }
         report_at_start(job, path, run, checker);
     } else {
@@ -553,12 +562,12 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
         (job.post.check)(&request, &mut checker);
     }
     shop::check(&request, &mut checker);
-    if request.ask != Ask::Never && !request.writes_offset() && !request.post.unused.contains(&ASK)
+    if request.ask != Ask::Never && !request.writes_tables() && !request.post.unused.contains(&ASK)
     {
         checker.info(
             "ask-unused",
             "control.ask",
-            text!("The program writes no work offset: it does not ask"),
+            text!("The program writes nothing: it does not ask"),
         );
     }
     if request.asks() && request.ask == Ask::Outside && request.ask_checks().is_empty() {
@@ -739,6 +748,7 @@ pub(super) fn request<'a>(
         probe_input: job.probe_input,
         report: job.report,
         ask: job.ask,
+        tool_offsets: job.tool_offsets,
         path: dry.as_ref().unwrap_or(path),
         shop: &job.shop,
         protected: job.protected || !measures,

@@ -247,16 +247,13 @@ impl PlannedJob {
         }
     }
 
-    /// Whether the program writes a work offset.
+    /// Whether the program writes a work offset, or as a program of moves a tool.
     pub fn writes(&self) -> bool {
-        self.dry.is_none()
-            && self.job.work_offset.is_some()
-            && self
-                .path
-                .formula
-                .datum
-                .as_ref()
-                .is_some_and(OffsetCorrection::writes)
+        let formula = &self.path.formula;
+        let datum = formula.datum.as_ref();
+        let offset = self.job.work_offset.is_some() && datum.is_some_and(OffsetCorrection::writes);
+        let tool = self.job.form == ProgramForm::Moves && formula.corrects_tools();
+        self.dry.is_none() && (offset || tool)
     }
 
     /// The parameter table, in the job's units.

@@ -1,5 +1,6 @@
 //! The forms of a job around the cycle.
 
+use crate::control::corrections::ToolOffsets;
 use crate::control::shop::place::{self, FRAME};
 use crate::control::{
     self, Ask, HeaderDetail, POSTS, PostDef, ProgramForm, ResultOutput, WRITE_OFFSET,
@@ -191,6 +192,29 @@ const ASKS: &[Choice] = &[
     },
 ];
 
+const TOOL_OFFSETS: &[Choice] = &[
+    Choice {
+        value: ToolOffsets::Unknown.word(),
+        label: "Not stated",
+    },
+    Choice {
+        value: ToolOffsets::Radius.word(),
+        label: "Radius, with wear",
+    },
+    Choice {
+        value: ToolOffsets::Diameter.word(),
+        label: "Diameter, with wear",
+    },
+    Choice {
+        value: ToolOffsets::RadiusInMemoryA.word(),
+        label: "Radius, memory A",
+    },
+    Choice {
+        value: ToolOffsets::DiameterInMemoryA.word(),
+        label: "Diameter, memory A",
+    },
+];
+
 const REPORTS: &[Choice] = &[
     Choice {
         value: ResultOutput::Screen.word(),
@@ -310,6 +334,8 @@ form! {
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Program and machine"),
         /// Whether the program shows its results and waits for cycle start before it writes a work offset. A reset then writes nothing.
         ask: String = Field::choice(ASK, "Ask before the write", ASKS).group("Program and machine"),
+        /// What the tool offsets hold, if a program of moves corrects them. Haas: setting 40. Fanuc: parameter 5004, and its memory for offsets: C with wear, or A.
+        tool_offsets: String = Field::choice("toolOffsets", "Tool offsets", TOOL_OFFSETS).group("Program and machine"),
         /// SET_UP of the touch probe table: native cycles add it to their set-up clearance.
         set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Program and machine"),
         /// Number of the program, on controls whose programs have one. Empty: the four digits at the end of the program name (O2201, BORE2201; not a size such
@@ -422,6 +448,7 @@ pub struct Job {
     pub probe_input: usize,
     pub report: ResultOutput,
     pub ask: Ask,
+    pub tool_offsets: ToolOffsets,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     /// Clearance that the probe table adds to the set-up clearance of native cycles, mm.
@@ -667,6 +694,7 @@ impl Forms {
             probe_input: control.probe_input as usize,
             report: ResultOutput::named(&control.report),
             ask: Ask::named(&control.ask),
+            tool_offsets: ToolOffsets::named(&control.tool_offsets),
             number: control.number,
             set_up: control.set_up,
             wear: wear::of(value.get(TOLERANCES), units.scale()),

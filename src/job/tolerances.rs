@@ -8,7 +8,7 @@ use crate::job::planned::PlannedJob;
 use crate::job::sections::TOLERANCES;
 use crate::job::wear::{self, WEAR};
 use crate::num::tidy;
-use crate::path::Path;
+use crate::path::{Path, Touch};
 use crate::text::{Text, text, words};
 use crate::tolerance;
 
@@ -45,7 +45,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut PlannedJob) {
             give(planned, given.index, tolerance);
         }
     }
-    check_stores(checker, &planned.path.formula, &all);
+    check_stores(checker, planned.job.form, &planned.path.formula, &all);
 }
 
 /// Entries of `tolerances` for results of the job. Reports the others.
@@ -131,8 +131,8 @@ fn add_sizes(checker: &mut Checker, planned: &PlannedJob, all: &mut Vec<Given<'_
     }
 }
 
-/// Checks offsets that keep the values of a mean: one pair each, which belongs to no tool and no other mean.
-fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
+/// Checks offsets or variables that keep the values of a mean: one pair each, which belongs to no tool and no other mean.
+fn check_stores(checker: &mut Checker, form: ProgramForm, formula: &Formula, given: &[Given<'_>]) {
     let wear_of = |given: &Given<'_>| {
         let wear = formula.results[given.index].tolerance?.wear?;
         Some((given.index, wear, given.key.to_owned()))
@@ -149,12 +149,21 @@ fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
                     .mean
                     .is_some_and(|(_, other)| (other - store).abs() < 2)
         };
-        if all.iter().any(|(_, other, _)| kept(other.tool)) || all.iter().any(other_mean) {
-            let message = text!(
-                "The macro stores its values in the offsets {store} and {next}: no tool and no other mean may use them",
-                store,
-                store + 1
-            );
+        let of_a_tool =
+            form == ProgramForm::Cycle && all.iter().any(|(_, other, _)| kept(other.tool));
+        if of_a_tool || all.iter().any(other_mean) {
+            let message = match form {
+                ProgramForm::Cycle => text!(
+                    "The macro stores its values in the offsets {store} and {next}: no tool and no other mean may use them",
+                    store,
+                    store + 1
+                ),
+                ProgramForm::Moves => text!(
+                    "The program keeps the mean in the variables {store} and {next}: no other mean may use them",
+                    store,
+                    store + 1
+                ),
+            };
             checker.error(
                 "wear-unsupported",
                 format!("{TOLERANCES}.{}.wear.store", printable(key)),
@@ -206,10 +215,11 @@ fn one(
         return None;
     }
     let limits = limits(checker, job, text, def, &path)?;
-    let wear = read_wear(checker, (own, path_of_job), entry, (def, related), at);
+    let of = (own, path_of_job, given.index);
+    let wear = read_wear(checker, of, entry, related, at);
     if wear.is_some() {
         check_middle(checker, limits, def, at);
-        if own.limits.size.is_none() {
+        if own.form == ProgramForm::Cycle && own.limits.size.is_none() {
             let message = text!(
                 "Without \"Size limit\" the macro corrects the tool from any contact, also with a chip or a wrong part: enter a limit"
             );
@@ -381,21 +391,24 @@ fn limits(
 /// Tool that a tolerance corrects, checked; `None` without one, or with an error. `own` is the job of the cycle that measures the result.
 fn read_wear(
     checker: &mut Checker,
-    (own, path): (&Job, &Path),
+    (own, path, index): (&Job, &Path, usize),
     given: &Value,
-    (def, related): (&ResultDef, bool),
+    related: bool,
     at: &str,
 ) -> Option<Wear> {
+    let def = &path.formula.results[index];
     let (found, findings) = wear::read(given, at, (own.scale, own.unit));
     findings
         .into_iter()
         .for_each(|finding| checker.adopt(finding));
     let (found, at) = (found?, format!("{at}.wear"));
-    let why = if own.form != ProgramForm::Cycle
-        || !own.post.own.is_some_and(|cycles| cycles.corrects_tools)
-    {
+    if own.form == ProgramForm::Moves {
+        return by_moves(checker, (own, path, index), found, related, &at);
+    }
+    let why = if !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
         Some(text!(
-            "only the macros of Fanuc-type controls do that: use the form \"cycle\" there"
+            "no source shows that the native cycles of {control} do that as the job says",
+            own.post.title.to_owned()
         ))
     } else if related {
         Some(text!(
@@ -421,12 +434,139 @@ fn read_wear(
     Some(found)
 }
 
-/// Reports an unsymmetrical tolerance for wear: a macro corrects towards the nominal size, not towards the middle of the tolerance.
+/// Whether a result is a height of the part, touched along the tool axis.
+fn is_height(own: &Job, path: &Path, index: usize) -> bool {
+    let def = &path.formula.results[index];
+    let tool = own.setup.plane.axes()[2];
+    let member = path.sources(index).first().map(|m| &path.cycles[*m]);
+    let touches = member.map_or(&path.touches[..], |own| &path.touches[own.touches.clone()]);
+    let along = |touch: &Touch| touch.vector[tool].abs() > 1.0 - 1e-9;
+    match def.role {
+        Role::Level => true,
+        Role::Reading => {
+            // z in a code is the tool axis.
+            def.code.rsplit('.').next() == Some("z") && touches.iter().all(along)
+        }
+        _ => false,
+    }
+}
+
+/// Checks that a program of moves can correct a tool by this result.
+fn by_moves(
+    checker: &mut Checker,
+    (own, path, index): (&Job, &Path, usize),
+    found: Wear,
+    related: bool,
+    at: &str,
+) -> Option<Wear> {
+    let def = &path.formula.results[index];
+    let Some(table) = own.post.tools else {
+        let message = text!(
+            "No tool can be corrected by this result: {why}",
+            text!(
+                "no source shows how a program of {control} changes the offset of another tool than the probe",
+                own.post.title.to_owned()
+            )
+        );
+        checker.error("wear-unsupported", at, message);
+        return None;
+    };
+    let height = is_height(own, path, index);
+    let written = path.formula.datum.as_ref().is_some_and(|datum| {
+        let level = datum.place[2].as_ref();
+        own.work_offset.is_some()
+            && level.is_some_and(|place| place.measured.is_some() && place.measured == def.variable)
+    });
+    let sense = own.def.probes.tool_sense();
+    let why = if related {
+        Some(text!(
+            "a relation does not tell on which side the tool has cut"
+        ))
+    } else if written {
+        Some(text!("the program writes this height into the work offset"))
+    } else if !height && (def.role != Role::Size || sense.is_none()) {
+        Some(text!(
+            "a program of moves corrects a tool by a width, a diameter or a height"
+        ))
+    } else {
+        None
+    };
+    if let Some(why) = why {
+        checker.error(
+            "wear-unsupported",
+            at,
+            text!("No tool can be corrected by this result: {why}", why),
+        );
+        return None;
+    }
+    let mut good = true;
+    let mut missing = |path: String, message: Text| {
+        checker.error("missing", path, message);
+        good = false;
+    };
+    match (table.tables)(own.tool_offsets) {
+        None => missing(
+            "control.toolOffsets".to_owned(),
+            text!(
+                "State what the tool offsets of the control hold: the program changes them by radius or by diameter"
+            ),
+        ),
+        Some([.., last]) if found.tool > last => {
+            let message = text!("This control has tool offsets up to {last}", last);
+            missing(format!("{at}.tool"), message);
+        }
+        Some(_) => {}
+    }
+    let (first, last) = table.keeps;
+    match found.mean {
+        None => missing(
+            format!("{at}.parts"),
+            text!(
+                "A program of moves corrects a tool by the mean of several parts, never by the first one: enter their number, and in store the first of two variables that keep the values, {first} to {last}",
+                (table.kept)(first),
+                (table.kept)(last)
+            ),
+        ),
+        Some((_, store)) if !(first..=last).contains(&store) => missing(
+            format!("{at}.store"),
+            text!(
+                "The variables that keep the values are {first} to {last} on this control",
+                (table.kept)(first),
+                (table.kept)(last)
+            ),
+        ),
+        Some(_) => {}
+    }
+    let (limit, key, label) = match height {
+        true => (own.limits.position, "limits.position", "Position limit"),
+        false => (own.limits.size, "limits.size", "Size limit"),
+    };
+    if limit.is_none() {
+        missing(
+            key.to_owned(),
+            text!(
+                "A program of moves corrects a tool only within a limit, so that a chip or a wrong part does not count: enter \"{limit}\"",
+                Text::words(label)
+            ),
+        );
+    }
+    let sense = match height {
+        true => -1.0,
+        false => sense.unwrap_or(0.0),
+    };
+    good.then_some(Wear {
+        sense,
+        length: height,
+        ..found
+    })
+}
+
+/// Reports an unsymmetrical tolerance for wear: a tool is corrected towards the nominal size, not towards the middle of the tolerance.
 fn check_middle(checker: &mut Checker, [low, high]: [f64; 2], def: &ResultDef, at: &str) {
     let middle = f64::midpoint(low, high);
     if (middle - def.nominal).abs() > 1e-6 {
         let message = text!(
-            "The macro corrects the tool towards the nominal value {nominal}, and the middle of this tolerance is {middle}: enter the middle as the nominal value, and the tolerance by its ends, {low} and {high}",
+            "The tool is corrected towards the nominal value {nominal}, and the middle of this tolerance is {middle}: enter the middle as the nominal value, and the tolerance by its ends, {low} and {high}",
             checker.length(def.nominal),
             checker.length(middle),
             checker.length(low),

@@ -1,5 +1,6 @@
-//! Tool offsets that a macro corrects from a measured size: `wear` of a tolerance.
+//! Tool offsets that a program corrects from a measured size or height: `wear` of a tolerance.
 
+use crate::control::corrections::{CorrectionSettings, correction};
 use crate::form::{Checker, Field, Finding, Section, SubForm, Value, form};
 use crate::formula::{ResultRow, Wear};
 use crate::num::decimal;
@@ -15,10 +16,11 @@ form! {
         percent: i32 = Field::count("percent", "Percent of the error", 100, 1, 100),
         /// The error up to which it stays.
         dead_band: f64 = Field::length("deadBand", "Dead band", 0.0).range(0.0, 1.0),
-        /// Of how many parts the mean of the errors counts. Empty: each part corrects it.
+        /// Of how many parts the mean of the errors counts. Empty: each part corrects it, which only macros do.
         parts: Option<i32> = Field::count("parts", "Mean of parts", 3, 2, 99).null_by_default().null_means("each part"),
-        /// With a mean: the first of two tool offsets, of no tool, in which the macro keeps its values.
-        store: Option<i32> = Field::count("store", "Stored in offset", 1, 1, 998).null_by_default().null_means("no mean"),
+        /// With a mean: where its values are kept from part to part. For a macro the first of two tool offsets, of no tool; for moves the first of two variables,
+        /// such as 520 for #520 and #521, or 90 for R90 and R91.
+        store: Option<i32> = Field::count("store", "Stored in", 1, 1, 998).null_by_default().null_means("no mean"),
     }
 }
 
@@ -85,7 +87,7 @@ pub fn read(
         _ if checker.failed() => {}
         (Some(_), None) => {
             let message = text!(
-                "The mean of several parts requires store, a tool offset that no tool uses: the macro stores its values there"
+                "The mean of several parts needs store: where its values are kept from part to part"
             );
             checker.error("missing", at("store"), message);
         }
@@ -101,14 +103,61 @@ pub fn read(
     let wear = form.tool.filter(|_| !checker.failed()).map(|tool| Wear {
         tool,
         share: f64::from(form.percent) / 100.0,
+        length: false,
+        sense: 0.0,
         dead_band: form.dead_band,
         mean: form.parts.zip(form.store),
     });
     (wear, checker.findings())
 }
 
-/// Reports the correction of each tool offset on the virtual part. A size that deviates by `limit` or more stops its macro.
-pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
+/// Reports how a program of moves corrects each tool, if every part is like the virtual one.
+pub fn report_means(
+    path: &Path,
+    rows: &[ResultRow],
+    settings: CorrectionSettings<'_>,
+    checker: &mut Checker,
+) {
+    for (row, own) in rows.iter().zip(path.formula.results.iter().enumerate()) {
+        let Some((correction, value)) = correction(settings, own).zip(row.value) else {
+            continue;
+        };
+        let error = value - own.1.nominal;
+        let (result, off) = (Text::words(own.1.meaning), checker.length(error));
+        let about = Text::words(correction.about);
+        let message = if error.abs() > correction.check.limit {
+            text!(
+                "{result} is off by {error}: the program stops with an alarm, and the error does not count for tool {tool}",
+                result,
+                off,
+                correction.wear.tool
+            )
+        } else if error.abs() <= correction.wear.dead_band.max(1e-9) {
+            text!(
+                "{result} is off by {error}: {parts} parts like this one leave the {wear} of tool {tool} as it is",
+                result,
+                off,
+                correction.parts,
+                about,
+                correction.wear.tool
+            )
+        } else {
+            text!(
+                "{result} is off by {error}: after {parts} parts like this one the program changes the {wear} of tool {tool} by {change}",
+                result,
+                off,
+                correction.parts,
+                about,
+                correction.wear.tool,
+                checker.length(error * correction.factor)
+            )
+        };
+        checker.info("tool-corrected", "tolerances", message);
+    }
+}
+
+/// Reports the correction of each tool offset by macros on the virtual part. A size that deviates by `limit` or more stops its macro.
+pub fn report_macros(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
     for (row, def) in rows.iter().zip(&path.formula.results) {
         let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else {
             continue;

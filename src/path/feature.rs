@@ -45,6 +45,33 @@ pub enum FeatureKind {
     TwoCircles,
 }
 
+impl FeatureKind {
+    /// Change of a milling cutter's radius for an error of 1 in a width or diameter that it has cut: what is too large inside needs a larger radius, so that the
+    /// tool stays farther away; outside a smaller one. `None` for features without a size.
+    pub fn tool_sense(self) -> Option<f64> {
+        match self {
+            FeatureKind::Hole
+            | FeatureKind::HoleProtected
+            | FeatureKind::Pocket
+            | FeatureKind::PocketProtected
+            | FeatureKind::Groove
+            | FeatureKind::GrooveProtected => Some(0.5),
+            FeatureKind::Boss | FeatureKind::Block | FeatureKind::Web | FeatureKind::WebTop => {
+                Some(-0.5)
+            }
+            FeatureKind::Switch
+            | FeatureKind::Action
+            | FeatureKind::Surface
+            | FeatureKind::CornerInside
+            | FeatureKind::CornerOutside
+            | FeatureKind::TripleInside
+            | FeatureKind::TripleOutside
+            | FeatureKind::Wall
+            | FeatureKind::TwoCircles => None,
+        }
+    }
+}
+
 /// The probed feature with its dimensions and the job fields that give them. [`crate::path::Path::frame`] has its frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {

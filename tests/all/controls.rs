@@ -400,7 +400,7 @@ fn no_field_is_ignored_without_a_word() {
             let cycles = CYCLES
                 .iter()
                 .filter(|def| (post.supports)(def.probes, form).is_ok());
-            let jobs: Vec<Value> = cycles
+            let mut jobs: Vec<Value> = cycles
                 .map(|def| {
                     let job = with(
                         &default_job(def.key).unwrap(),
@@ -414,6 +414,13 @@ fn no_field_is_ignored_without_a_word() {
                     )
                 })
                 .collect();
+            // Some fields only matter for the correction of a tool.
+            let bore = jobs.iter().find(|job| {
+                job.get("cycle").and_then(|cycle| cycle.get("type")) == Some(&text("hole"))
+            });
+            let wear = r#"{ "diameter": { "tolerance": "±0.05", "wear": { "tool": 5, "parts": 3, "store": 520 } } }"#;
+            let wear = touchpath::job::from_json(wear).unwrap();
+            jobs.extend(bore.map(|job| with(job, "tolerances", wear)));
             let said = |job: &Value| {
                 plan(job)
                     .map(|plan| (plan.program.text, plan.findings))

@@ -49,3 +49,4 @@ mod tolerances;
 mod toolpath;
 mod wayback;
 mod wear;
+mod wear_in_moves;

@@ -238,15 +238,6 @@ fn what_cannot_be_corrected_is_refused() {
             "{post}"
         );
     }
-    let moves = with(
-        &bore("haas", tool, 0.0),
-        "control.form",
-        Value::Text("moves".to_owned()),
-    );
-    assert_eq!(
-        refused(&moves),
-        ["wear-unsupported tolerances.diameter.wear"]
-    );
     let writes = with(
         &bore("haas", tool, 0.0),
         "control.workOffset",

@@ -34,6 +34,8 @@ pub struct Control {
     pub messages: Vec<String>,
     /// Writes to origins of work offsets, in order.
     pub writes: Vec<i64>,
+    /// Writes to registers of tools, in order.
+    pub tools: Vec<i64>,
     pub offset: String,
     /// Whether the previous block moved: a control evaluates the next block during the motion.
     moving: bool,
@@ -68,6 +70,7 @@ impl Control {
             alarm: None,
             messages: Vec::new(),
             writes: Vec::new(),
+            tools: Vec::new(),
             offset: String::new(),
             moving: false,
         }
@@ -206,7 +209,13 @@ impl Control {
                 }
                 if matches!(number, 5221..=5340 | 7001..=7960 | 14_001..=15_980) {
                     self.writes.push(number);
-                } else if !matches!(number, 1..=33 | 100..=149) {
+                } else if self
+                    .tool_tables()
+                    .iter()
+                    .any(|table| table.contains(&number))
+                {
+                    self.tools.push(number);
+                } else if !matches!(number, 1..=33 | 100..=149 | 500..=999) {
                     return Err(fail("this variable is not for a program"));
                 }
                 self.variables.insert(number, value);
@@ -215,6 +224,14 @@ impl Control {
             }
         }
         Err("does not end".to_owned())
+    }
+
+    /// Variables with the wear of tools: of a Fanuc also the compensation of memory A.
+    fn tool_tables(&self) -> Vec<std::ops::RangeInclusive<i64>> {
+        match self.haas {
+            true => vec![2201..=2400, 2601..=2800],
+            false => vec![2001..=2200, 10_001..=10_999, 12_001..=12_999],
+        }
     }
 
     /// Runs a block of words; returns whether the program has ended.
@@ -336,10 +353,16 @@ impl Control {
                 .find(|(code, _)| *code == number)
                 .map(|(_, value)| *value)
                 .ok_or("modal")?,
-            _ => *self
-                .variables
-                .get(&number)
-                .ok_or(format!("#{number} is empty"))?,
+            // Variables that the control keeps, and registers of tools, have a value.
+            _ => {
+                let tools = self.tool_tables();
+                let kept = (500..=999).contains(&number)
+                    || tools.iter().any(|table| table.contains(&number));
+                let value = self.variables.get(&number).copied();
+                value
+                    .or(kept.then_some(0.0))
+                    .ok_or(format!("#{number} is empty"))?
+            }
         })
     }
 

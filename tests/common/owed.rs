@@ -567,10 +567,23 @@ pub fn macro_call(line: &str) -> Option<(u32, Vec<(char, f64)>)> {
         } else {
             word.split_at_checked(1)?
         };
-        Some((letter.parse().ok()?, value.parse().ok()?))
+        Some((letter.parse().ok()?, nominal(value)?))
     };
     let letters: Vec<(char, f64)> = words.map(letter).collect::<Option<_>>()?;
     Some((if number < 9000 { number + 1000 } else { number }, letters))
+}
+
+/// Value of a word on the nominal part: `[110.+#106]` adds deviations, which are 0 there.
+fn nominal(value: &str) -> Option<f64> {
+    let Some(sum) = value.strip_prefix('[').and_then(|v| v.strip_suffix(']')) else {
+        return value.parse().ok();
+    };
+    let end = sum.find('#').unwrap_or(sum.len());
+    let constant = sum[..end].trim_end_matches(['+', '-']);
+    match constant {
+        "" => Some(0.0),
+        number => number.parse().ok(),
+    }
 }
 
 /// On the nominal part the simulated control makes the moves of the path, and no others except the approach and the pieces of arcs.

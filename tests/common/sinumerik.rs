@@ -37,12 +37,26 @@ pub struct Machine {
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
     pub writes: usize,
+    /// Wear of tools, by name of the register, tool and edge.
+    pub tools: HashMap<(String, usize, usize), f64>,
     /// Number of times that M0 stopped it.
     pub waits: usize,
     /// Position of the ball before the program.
     pub start: [f64; 3],
     touched: usize,
     state: f64,
+}
+
+/// Registers of tools that a program may write.
+const TOOLS: [&str; 2] = ["$TC_DP12", "$TC_DP15"];
+
+fn register(name: &str, parts: &[Term]) -> Result<(String, usize, usize), String> {
+    match parts {
+        [Term::Number(tool), Term::Number(edge)] => {
+            Ok((name.to_owned(), *tool as usize, *edge as usize))
+        }
+        _ => Err(format!("{name} needs a tool and its edge")),
+    }
 }
 
 impl Machine {
@@ -66,6 +80,7 @@ impl Machine {
             written: Vec::new(),
             path: Vec::new(),
             writes: 0,
+            tools: HashMap::new(),
             waits: 0,
             start: [f64::NAN; 3],
             touched: 0,
@@ -121,6 +136,9 @@ impl Machine {
                             let (part, axis) = component(parts)?;
                             self.frame[part][axis] = value;
                             self.writes += 1;
+                        }
+                        Term::System(name, parts) if TOOLS.contains(&name.as_str()) => {
+                            self.tools.insert(register(name, parts)?, value);
                         }
                         other => return Err(format!("line {line}: {other:?} cannot be written")),
                     }
@@ -259,6 +277,10 @@ impl Machine {
                 }
                 ("$AC_MEA", _) => self.state,
                 ("$P_TOOLNO", []) => self.tool.ok_or("no tool is stated")?,
+                (name, parts) if TOOLS.contains(&name) => {
+                    let register = register(name, parts)?;
+                    self.tools.get(&register).copied().unwrap_or(0.0)
+                }
                 ("$P_TOOL", []) => f64::from(self.tool_offset),
                 // Results of the measuring cycles.
                 ("_OVR", [_]) => 0.0,

@@ -416,8 +416,21 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
         .filter(|row| row.nominal.is_some() && !row.code.starts_with("offset."))
     {
         // A program of calls without a write may correct a tool from any size.
-        let corrects = plan.program.own && plan.program.writes.is_empty();
-        if !draw.once_in(if corrects { 2 } else { 3 }) {
+        let by_moves = !plan.program.own
+            && ["haas", "fanuc", "sinumerik"].contains(&plan.program.post)
+            && row.unit != "deg";
+        let corrects = by_moves || plan.program.own && plan.program.writes.is_empty();
+        let size = ["diameter", "width", "distance"]
+            .iter()
+            .any(|code| row.code.starts_with(code));
+        // Of many tolerances one is often refused.
+        let rare = match (by_moves, size, corrects) {
+            (true, true, _) => 1,
+            (true, false, _) => 6,
+            (false, _, true) => 2,
+            (false, _, false) => 3,
+        };
+        if !draw.once_in(rare) {
             continue;
         }
         let named = match names.get(row.cycle) {
@@ -426,9 +439,6 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
         };
         let unit = if row.unit == "inch" { 25.4 } else { 1.0 };
         let off = *draw.of(&[0.001, 0.02, 0.2]) / unit;
-        let size = ["diameter", "width", "distance"]
-            .iter()
-            .any(|code| row.code.starts_with(code));
         // Exactly at the end of a zone rounding decides: the nominal value is inside or outside.
         let tolerance = match draw.index(6) {
             0 if size || draw.once_in(10) => "js9".to_owned(),
@@ -448,17 +458,25 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
             ),
         ];
         if corrects && draw.once_in(if size { 1 } else { 40 }) {
-            entries[1].1 = text("go");
-            entries.push(("wear".to_owned(), wear(draw)));
+            if plan.program.own {
+                entries[1].1 = text("go");
+            }
+            let by_moves = by_moves.then_some(plan.program.post);
+            entries.push(("wear".to_owned(), wear(draw, by_moves)));
         }
         tolerances.push((named, Value::Map(entries)));
     }
+    let offsets = ["radius", "diameter", "memory-a-radius", "memory-a-diameter"];
+    let known = if draw.once_in(6) { 4 } else { 2 };
+    let offsets = text(draw.word(&offsets[..known]));
+    let related = crate::common::with(&related, "control.toolOffsets", offsets);
     crate::common::with(&related, "tolerances", Value::Map(tolerances))
 }
 
-/// A tool that is corrected, sometimes in a refused way.
-fn wear(draw: &mut Draw) -> Value {
-    let mut entries = vec![("tool".to_owned(), Value::Number(draw.index(1001) as f64))];
+/// A tool that is corrected, sometimes in a refused way. `by_moves`: the control, for a program of moves.
+fn wear(draw: &mut Draw, by_moves: Option<&str>) -> Value {
+    let most = if draw.once_in(10) { 1001 } else { 201 };
+    let mut entries = vec![("tool".to_owned(), Value::Number(draw.index(most) as f64))];
     let mut maybe = |key: &str, value: f64, draw: &mut Draw| {
         if draw.once_in(2) {
             entries.push((key.to_owned(), Value::Number(value)));
@@ -467,15 +485,16 @@ fn wear(draw: &mut Draw) -> Value {
     let (percent, band) = (draw.index(101) as f64, draw.between(0.0, 0.02));
     maybe("percent", percent, draw);
     maybe("deadBand", band, draw);
-    if draw.once_in(3) {
-        entries.push((
-            "parts".to_owned(),
-            Value::Number(2.0 + draw.index(98) as f64),
-        ));
-        entries.push((
-            "store".to_owned(),
-            Value::Number(1.0 + draw.index(999) as f64),
-        ));
+    if draw.once_in(3) || by_moves.is_some() {
+        // Where moves keep the mean, mostly.
+        let store = match by_moves.filter(|_| !draw.once_in(20)) {
+            Some("sinumerik") => 70 + draw.index(29),
+            Some(_) => 500 + draw.index(499),
+            None => 1 + draw.index(999),
+        };
+        let parts = 2.0 + draw.index(98) as f64;
+        entries.push(("parts".to_owned(), Value::Number(parts)));
+        entries.push(("store".to_owned(), Value::Number(store as f64)));
     }
     Value::Map(entries)
 }
@@ -972,7 +991,10 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         }
     }
     if plan.program.does.starts_with("corrects") {
-        asked("planned with tools that are corrected");
+        asked(match plan.program.own {
+            true => "planned with tools that are corrected",
+            false => "planned with tools that moves correct",
+        });
     }
     if plan.results.iter().any(|row| row.code == "spread") {
         asked("planned with repeated touches");

@@ -107,6 +107,7 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         "planned with rotations that follow",
         "planned with sizes that follow",
         "planned with tools that are corrected",
+        "planned with tools that moves correct",
         "planned with repeated touches",
     ]
     .map(str::to_owned);

@@ -730,6 +730,8 @@ export interface Job {
     report?: "screen" | "log" | "none";
     /** Whether the program shows its results and waits for cycle start before it writes a work offset. A reset then writes nothing. */
     ask?: "never" | "always" | "outside";
+    /** What the tool offsets hold, if a program of moves corrects them. Haas: setting 40. Fanuc: parameter 5004, and its memory for offsets: C with wear, or A. */
+    toolOffsets?: "unknown" | "radius" | "diameter" | "memory-a-radius" | "memory-a-diameter";
     /** SET_UP of the touch probe table: native cycles add it to their set-up clearance. */
     setUp?: number;
     /** Number of the program, on controls whose programs have one. Empty: the four digits at the end of the program name (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */

@@ -775,6 +775,8 @@ export interface PostEntry {
   computesBetween: boolean;
   /** Whether its native cycles can correct a tool offset from a measured size. */
   correctsTools: boolean;
+  /** Whether its programs of moves can correct a tool from the mean error of several parts. */
+  correctsByMoves: boolean;
   /** Fields of the job's section `control` that change nothing on it. */
   unused: string[];
   /** Usual lines of a shop for `machine.frame`, by place. */

@@ -250,19 +250,19 @@ class MeasuredPart extends StorePart {
       ${own && (own.wear || this.corrects(code)) ? this.wear(cycle, code, name, own) : nothing}</li>`;
   }
 
-  /** Whether the control corrects a tool from this result. */
+  /** Whether the control corrects a tool from this result: by a size, moves also by a height. */
   private corrects(code: string): boolean {
     const { program } = this.store.plan;
     const post = this.store.catalog.posts.find(({ id }) => id === program.post);
-    return (
-      program.own && !!post?.correctsTools && /^(diameter|width)/.test(code)
-    );
+    return program.own
+      ? !!post?.correctsTools && /^(diameter|width)/.test(code)
+      : !!post?.correctsByMoves && /^(diameter|width)|(^|\.)z$/.test(code);
   }
 
   /** Text in the boxes of a tool until they are left: `0.` may become a number. */
   private typed = new Map<string, string>();
 
-  /** The tool that the macro corrects from this result. Text that is no number is kept and reported. */
+  /** The tool that is corrected from this result. Text that is no number is kept and reported. */
   private wear(
     cycle: number,
     code: string,
@@ -275,7 +275,7 @@ class MeasuredPart extends StorePart {
       ["percent", w("Percent of the error")],
       ["deadBand", w("Dead band")],
       ["parts", w("Mean of parts")],
-      ["store", w("Stored in offset")],
+      ["store", w("Stored in")],
     ] as const;
     const given: Record<string, unknown> = { ...own.wear };
     const put = (key: string) => (e: Event) => {

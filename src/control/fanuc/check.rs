@@ -1,6 +1,7 @@
 //! Jobs that Fanuc and Haas do not support, or support with a warning.
 
-use super::{CHANGES, FIRST, LAST};
+use super::skip::written_variables;
+use super::{FIRST, LAST};
 use crate::control::{
     Request, check_plain_moves, check_rotary, check_write, number, offsets, rotation_field,
 };
@@ -108,12 +109,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     check_starts(request, checker);
     number::check_digits(request, checker);
-    let more = if request.writes_offset() {
-        1 + CHANGES
-    } else {
-        0
-    };
-    let last = FIRST + request.registers().last + more;
+    let last = FIRST + request.registers().last + written_variables(request);
     if last > LAST {
         let message = text!(
             "The program would need #{first} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \

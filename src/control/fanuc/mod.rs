@@ -20,6 +20,7 @@ mod skip;
 use self::check::{check, check_haas_feeds};
 use self::flavour::{Flavour, PLAIN, WITH_ALARMS};
 use self::skip::{IN_POSITION, emit};
+use crate::control::corrections::{ToolOffsets, ToolTable};
 use crate::control::inside;
 use crate::control::iso::registers::ComputeTiming;
 use crate::control::iso::writer::{self, Dialect};
@@ -51,6 +52,16 @@ pub static FANUC: PostDef = PostDef {
         ),
         ("foot", &["G91 G28 {axis}0.", "G90"]),
     ],
+    tools: Some(&ToolTable {
+        tables: |offsets| match offsets {
+            ToolOffsets::Unknown => None,
+            ToolOffsets::Radius | ToolOffsets::Diameter => Some([10_000, 12_000, 999]),
+            ToolOffsets::RadiusInMemoryA | ToolOffsets::DiameterInMemoryA => {
+                Some([2000, 2000, 200])
+            }
+        },
+        ..TOOLS
+    }),
     own: Some(&OWN),
     ..KIN
 };
@@ -93,14 +104,35 @@ pub static HAAS: PostDef = PostDef {
         ("head", &["G53 G0 {axis}0.", "T{tool} M6", "G43 H{tool}"]),
         ("foot", &["G53 G0 {axis}0."]),
     ],
+    tools: Some(&ToolTable {
+        tables: |offsets| match offsets {
+            ToolOffsets::Radius | ToolOffsets::Diameter => Some([2200, 2600, 200]),
+            _ => None,
+        },
+        ..TOOLS
+    }),
     own: Some(&HAAS_OWN),
     ..KIN
+};
+
+/// Registers of tools, without their tables: variables, numbered from that of the table; #500 to #999 keep their values.
+const TOOLS: ToolTable = ToolTable {
+    tables: |_| None,
+    register: |register| format!("#{}", register.table + register.tool),
+    kept: |number| format!("#{number}"),
+    keeps: (500, 998),
 };
 
 /// Base of Fanuc and Haas.
 const KIN: PostDef = PostDef {
     extension: "nc",
     unused: &["setUp", "probeInput"],
+    unused_by_cycles: &[
+        "control.protection",
+        "control.toolOffsets",
+        "feeds.work",
+        "feeds.retract",
+    ],
     uses_tool: |form| form == ProgramForm::Moves,
     when: ComputeTiming::AtOnce,
     nearest_trigger: IN_POSITION,

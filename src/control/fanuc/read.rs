@@ -7,14 +7,20 @@ use crate::control::iso::lines::{self, Blocks};
 use crate::control::iso::parse::{
     self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault,
 };
-use crate::control::iso::script::{BlockKind, Locals, LookAhead, Part, ReadError, Script, System};
+use crate::control::iso::script::{
+    BlockKind, Locals, LookAhead, Part, ReadError, Script, System, ToolRegister,
+};
 use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
 
-static FANUC: Grammar = LIKE_FANUC;
+static FANUC: Grammar = Grammar {
+    system: of_fanuc,
+    ..LIKE_FANUC
+};
 static HAAS: Grammar = Grammar {
     takes: haas_takes,
+    system: of_haas,
     ..LIKE_FANUC
 };
 const LIKE_FANUC: Grammar = Grammar {
@@ -26,6 +32,30 @@ const LIKE_FANUC: Grammar = Grammar {
     family: Family::Iso,
     takes,
 };
+
+/// Register of a tool, by the number of its variable: the table begins at its number of hundreds.
+fn register(number: i32, tables: &[(i32, i32)]) -> Option<System> {
+    let of = |(first, count): &(i32, i32)| {
+        let tool = number - first;
+        let table = *first;
+        (1..=*count)
+            .contains(&tool)
+            .then_some(System::Offset(Part::Tool(ToolRegister { table, tool })))
+    };
+    tables.iter().find_map(of)
+}
+
+/// Tools of a Fanuc: compensation of memory A, wear of lengths and of radii or diameters of memory C.
+fn of_fanuc(name: &[u8]) -> Option<System> {
+    let tables = [(2000, 200), (10_000, 999), (12_000, 999)];
+    system(name).or_else(|| register(parse::whole(name.get(1..)?)?, &tables))
+}
+
+/// Tools of a Haas: wear of lengths and of radii or diameters.
+fn of_haas(name: &[u8]) -> Option<System> {
+    let tables = [(2200, 200), (2600, 200)];
+    system(name).or_else(|| register(parse::whole(name.get(1..)?)?, &tables))
+}
 
 /// System variables. The length of the active tool is the table entry with its number, #4111.
 fn system(name: &[u8]) -> Option<System> {
@@ -262,7 +292,7 @@ fn assignment<'t>(
 ) -> Parsed<BlockKind> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;
-    match system(name) {
+    match (grammar.system)(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(BlockKind::Alarm),
         // A message: the program continues after cycle start.
         _ if name == b"#3006" && script.number(value).is_some() => Ok(BlockKind::Pause),

@@ -4,15 +4,16 @@ use std::borrow::Cow;
 
 use super::flavour::Flavour;
 use super::{CHANGES, FIRST, SHORTEST_PROBE, origin, rate};
+use crate::control::corrections::{Blocks, ToolCorrection};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
-use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
+use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, WrittenDatum, each_piece};
 use crate::control::shop::place;
 use crate::control::{
     FROM_THE_TOP, Program, Request, ResultOutput, number, orientation_line, write_summary,
 };
-use crate::formula::{CheckKind, Coordinate, Formula, OffsetCorrection, ResultCheck};
+use crate::formula::{CheckKind, Coordinate, Formula, ResultCheck};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, ShiftTerm, Touch};
@@ -215,6 +216,11 @@ impl SkipWriter<'_> {
         self.count() + 1 + i
     }
 
+    /// Variables of a correction: new number and sum of the errors, and the change of the tool.
+    fn correction(&self, i: usize) -> [usize; 3] {
+        [0, 1, 2].map(|k| self.change(CHANGES) + 3 * i + k)
+    }
+
     /// States in which nothing moves, each with the text of its alarm.
     fn states(&self) -> impl Iterator<Item = (Cow<'static, str>, &'static str)> {
         let other_units = match self.request.scale == 1.0 {
@@ -267,11 +273,7 @@ impl Moves for SkipWriter<'_> {
             w.comment(number::NOT_CHOSEN);
         }
         self.head(w);
-        let more = if request.writes_offset() {
-            self.change(CHANGES) - self.registers.last - 1
-        } else {
-            0
-        };
+        let more = written_variables(request);
         for line in self.registers.lines(
             formula,
             more,
@@ -314,7 +316,7 @@ impl Moves for SkipWriter<'_> {
         }
         self.halt(w);
         w.line(&format!("{}={}", variable(0), self.flavour.length));
-        if request.writes_offset() {
+        if request.writes_tables() {
             w.line(&format!("{}=0", variable(self.count())));
         }
         if let Some(start) = request.path.start {
@@ -363,7 +365,7 @@ impl Moves for SkipWriter<'_> {
     fn touch(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>, touch: &Touch) {
         w.parts(&["#149=", &format_count(step.index + 1)]);
         // Counted before the touch: a program that is started after it counts one too few.
-        if self.request.writes_offset() {
+        if self.request.writes_tables() {
             let count = variable(self.count());
             w.parts(&[&count, "=", &count, "+1"]);
         }
@@ -436,7 +438,7 @@ impl Moves for SkipWriter<'_> {
     }
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
-        if self.request.writes_offset() {
+        if self.request.writes_tables() {
             self.halt(w);
         }
         for &(copy, index) in &self.registers.copies {
@@ -452,7 +454,7 @@ impl Moves for SkipWriter<'_> {
         let register = self.registers.variables[question.variable.index()];
         let (off, limit) = self.deviation(formula, question);
         let alarm = question.alarm(formula, &variable(register), number::LONGEST_ALARM);
-        if question.stops(self.request.writes_offset()) {
+        if question.stops(self.request.writes_tables()) {
             // An alarm would stop the ball on its way.
             if self.may_still_move {
                 self.halt(w);
@@ -483,7 +485,7 @@ impl Moves for SkipWriter<'_> {
             "Read the results now: {}",
             self.result_names(formula)
         ));
-        w.comment("Cycle start writes the work offset. Reset leaves it unchanged");
+        w.comment(self.request.asks_what());
         self.wait(w, "M0");
         if !checks.is_empty() {
             w.line(&format!("N{goes_on}"));
@@ -491,17 +493,14 @@ impl Moves for SkipWriter<'_> {
     }
 
     /// Shifts the origin by measured minus nominal: a work offset has no rotation.
-    fn write(
-        &mut self,
-        w: &mut Writer<'_>,
-        formula: &Formula,
-        number: i32,
-        datum: &OffsetCorrection,
-    ) {
-        w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, datum: Option<WrittenDatum<'_>>) {
         let axes = self.request.plane.axes();
         let mut changed = Vec::new();
-        for (i, place) in datum.place.iter().enumerate() {
+        if datum.is_some() {
+            w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
+        }
+        let places = datum.iter().flat_map(|(_, datum)| &datum.place);
+        for (i, place) in places.enumerate() {
             let Some(Coordinate {
                 measured: Some(measured),
                 nominal,
@@ -520,6 +519,11 @@ impl Moves for SkipWriter<'_> {
             w.line(&format!("{change}={value}{nominal}"));
             changed.push((axes[i], change));
         }
+        let corrections = self.request.corrections();
+        let incomplete = number::RESULTS.0 + self.implausible.len();
+        for (i, correction) in corrections.iter().enumerate() {
+            self.compute(w, formula, (i, correction), incomplete + i);
+        }
         // A program that is started in its middle has no count and no changes, and writes nothing.
         let count = variable(self.count());
         w.line(&format!(
@@ -527,12 +531,24 @@ impl Moves for SkipWriter<'_> {
             self.request.path.touches.len()
         ));
         w.line(&format!("{count}=0"));
-        for (axis, change) in &changed {
-            let origin = format!("#{}", origin(number, self.flavour.more_origins) + axis);
-            w.line(&format!("{origin}={origin}+{change}"));
+        if let Some((number, _)) = datum {
+            for (axis, change) in &changed {
+                let origin = format!("#{}", origin(number, self.flavour.more_origins) + axis);
+                w.line(&format!("{origin}={origin}+{change}"));
+                w.line(&format!("{change}=0"));
+            }
+        }
+        for (i, correction) in corrections.iter().enumerate() {
+            let [count, sum, change] = self.correction(i).map(variable);
+            let [kept, kept_sum] = &correction.kept;
+            w.line(&format!("{kept}={count}"));
+            w.line(&format!("{kept_sum}={sum}"));
+            w.line(&format!("{0}={0}+{change}", correction.name));
             w.line(&format!("{change}=0"));
         }
-        w.line(&(self.request.post.work_offset_word)(number));
+        if let Some((number, _)) = datum {
+            w.line(&(self.request.post.work_offset_word)(number));
+        }
     }
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
@@ -589,6 +605,14 @@ impl Moves for SkipWriter<'_> {
     }
 }
 
+/// Number of variables for the writes of a program, after those of its results: the count of touches, changes of the origin, corrections of tools.
+pub(super) fn written_variables(request: &Request<'_>) -> usize {
+    match request.writes_tables() {
+        true => 1 + CHANGES + 3 * request.corrections().len(),
+        false => 0,
+    }
+}
+
 /// Variables of the results, with their codes.
 fn shown(formula: &Formula) -> impl Iterator<Item = (String, Cow<'_, str>)> {
     let results = formula
@@ -615,17 +639,45 @@ impl SkipWriter<'_> {
         number::deviation(&variable(register), check, unit)
     }
 
+    /// Computes the change of a tool.
+    fn compute(
+        &mut self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        (i, correction): (usize, &ToolCorrection),
+        other: usize,
+    ) {
+        let (off, _) = self.deviation(formula, &correction.check);
+        let variables = self.correction(i).map(variable);
+        let scale = self.request.scale;
+        let [count, sum] = &correction.kept;
+        self.implausible.push(format!("RESET {count} AND {sum}"));
+        w.comment(&correction.note());
+        let mut blocks = Blocks {
+            brackets: ('[', ']'),
+            compares: [" LE ", " GT "],
+            jump: &|condition, label| format!("IF [{condition}] GOTO {label}"),
+            label: &mut || self.label(),
+            target: &|label| format!("N{label}"),
+            number: &|x| decimal(x, number::decimals(x)),
+        };
+        let variables = variables.each_ref().map(String::as_str);
+        for line in blocks.lines(correction, (&off, scale), variables, &other.to_string()) {
+            w.line(&line);
+        }
+    }
+
     /// Whether a program that writes waits for the operator before the write.
     fn waits(&self) -> bool {
         let marks = |check: &ResultCheck| check.asked == CheckKind::MarkTolerance;
         let request = self.request;
-        request.writes_offset() && (request.asks() || request.questions().iter().any(marks))
+        request.writes_tables() && (request.asks() || request.questions().iter().any(marks))
     }
 
     /// Waits for the operator. The count of touches is in a local variable meanwhile, which a reset clears: a start after the wait then writes nothing.
     fn wait(&self, w: &mut Writer<'_>, block: &str) {
         let count = variable(self.count());
-        let writes = self.request.writes_offset();
+        let writes = self.request.writes_tables();
         if writes {
             w.line(&format!("#1={count}"));
             w.line(&format!("{count}=0"));
@@ -668,7 +720,7 @@ impl SkipWriter<'_> {
                 _ => orientation_line(request),
             });
             w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
-            if self.request.writes_offset() {
+            if self.request.writes_tables() {
                 w.comment(FROM_THE_TOP);
             }
         }
@@ -722,7 +774,7 @@ impl SkipWriter<'_> {
             "4(STYLUS TOO LOW TO START)"
         };
         exit(WRONG_START, None, None, false, start);
-        if self.request.writes_offset() {
+        if self.request.writes_tables() {
             exit(
                 INCOMPLETE,
                 None,

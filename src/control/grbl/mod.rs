@@ -106,7 +106,15 @@ const GRBL_BASE: PostDef = PostDef {
     usual_lines: &[("probeOn", &["M0"])],
     watches_first: false,
     dialect: &DIALECT,
-    unused: &["orient", "report", "ask", "number", "setUp", "probeInput"],
+    unused: &[
+        "orient",
+        "report",
+        "ask",
+        "number",
+        "setUp",
+        "probeInput",
+        "toolOffsets",
+    ],
     unsupported_rules: &[
         (
             WRITE_OFFSET,

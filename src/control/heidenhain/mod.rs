@@ -48,7 +48,7 @@ pub static DEF: PostDef = PostDef {
         numbered: true,
         ..PLAIN
     },
-    unused: &["orient", "ask", "number", "probeInput"],
+    unused: &["orient", "ask", "number", "probeInput", "toolOffsets"],
     uses_tool: |_| true,
     unused_by_cycles: &[
         "control.protection",

@@ -99,17 +99,26 @@ pub enum System {
     Tool,
     /// A fixed value, for a program that is started correctly.
     Fixed(f64),
-    /// A part of a work offset that a program may write.
+    /// A part of a work offset or of a tool that a program may write.
     Offset(Part),
 }
 
-/// A part of a work offset.
+/// A part of a work offset, or of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Number of the offset, 1 = G54, and axis of its origin.
     Origin(i32, usize),
     /// Rotation about an axis, degrees; only that about the tool axis may have any value.
     Turn(i32, usize),
+    /// Wear of a tool.
+    Tool(ToolRegister),
+}
+
+/// Register of a tool: the control's number of the table, and that of the tool in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ToolRegister {
+    pub table: i32,
+    pub tool: i32,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +142,7 @@ pub enum BlockKind {
     SetOther(Slot, NodeId),
     /// Moves to machine coordinates along these axes.
     Elsewhere([bool; 3]),
-    /// Sets a part of a work offset.
+    /// Sets a part of a work offset or of a tool.
     SetOffset(Part, NodeId),
     /// Continues at this block.
     Jump(usize),
@@ -298,6 +307,8 @@ pub struct Script<'t> {
     pub ahead: LookAhead,
     /// Variables with results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
+    /// Variables with values from earlier runs.
+    pub kept: Vec<(Slot, f64)>,
 }
 
 /// Variables that a reset clears, recalled [R] for all of these.

@@ -17,7 +17,7 @@ use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards,
 };
-use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
+use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, WrittenDatum, each_piece};
 use crate::control::rules;
 use crate::control::shop::place;
 use crate::control::{
@@ -41,7 +41,7 @@ pub static DEF: PostDef = PostDef {
     work_offset_word,
     shortest_probe: SHORTEST_PROBE,
     dialect: &DIALECT,
-    unused: &["number", "setUp", "probeInput"],
+    unused: &["number", "setUp", "probeInput", "toolOffsets"],
     uses_tool: |_| true,
     unsupported_rules: &[(
         rules::MISS_LIFTS,
@@ -361,14 +361,10 @@ impl Moves for LinuxCnc<'_> {
         }
     }
 
-    fn write(
-        &mut self,
-        w: &mut Writer<'_>,
-        formula: &Formula,
-        number: i32,
-        datum: &OffsetCorrection,
-    ) {
-        write_datum(w, self.request, formula, number, datum);
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, datum: Option<WrittenDatum<'_>>) {
+        if let Some((number, datum)) = datum {
+            write_datum(w, self.request, formula, number, datum);
+        }
     }
 
     fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}

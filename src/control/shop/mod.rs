@@ -57,9 +57,9 @@ fn lines(request: &Request<'_>, place: &Place) -> Vec<String> {
 /// Why a program does not have this place.
 fn unused(request: &Request<'_>, place: &Place) -> Option<Text> {
     let moves = request.form == ProgramForm::Moves;
-    if place.key == BEFORE_WRITE.key && !(moves && request.writes_offset()) {
+    if place.key == BEFORE_WRITE.key && !(moves && request.writes_tables()) {
         return Some(text!(
-            "The program has no separate block that writes a work offset"
+            "The program has no separate block that writes a work offset or a tool"
         ));
     }
     if place.key == ON_ALARM.key && (!moves || request.post.why_not(ON_ALARM.key).is_some()) {

@@ -20,6 +20,7 @@ mod read;
 use std::borrow::Cow;
 use std::ops::Range;
 
+use crate::control::corrections::{Blocks, ToolCorrection, ToolTable};
 use crate::control::inside::{self, Inside, Labels};
 use crate::control::iso::codes::Family;
 use crate::control::iso::print::{self, Notation};
@@ -27,7 +28,7 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards,
 };
-use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, each_piece};
+use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, WrittenDatum, each_piece};
 use crate::control::shop::place;
 use crate::control::{
     BASE, FROM_THE_TOP, PostDef, Program, ProgramForm, Request, ResultOutput, check_plain_moves,
@@ -56,13 +57,19 @@ pub static DEF: PostDef = PostDef {
     first_length: true,
     family: Family::Sinumerik,
     dialect: &DIALECT,
-    unused: &["number", "setUp"],
+    unused: &["number", "setUp", "toolOffsets"],
     uses_tool: |_| true,
     unused_by_cycles: &["feeds.work", "feeds.retract"],
     supports: serves,
     check,
     emit,
     read: Some(read::read),
+    tools: Some(&ToolTable {
+        tables: |_| Some([12, 15, 999]),
+        register: |register| format!("$TC_DP{}[{},1]", register.table, register.tool),
+        kept: |number| format!("R{number}"),
+        keeps: (1, 98),
+    }),
     own: Some(&plan_calls::CYCLES),
     // SUPA with D0 is read in public programs; 0 as the top of the axis is recalled [R].
     usual_lines: &[
@@ -160,6 +167,21 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_write(request, checker);
     let registers = request.registers();
     let last = registers.last + frame_registers(request);
+    for correction in request.corrections() {
+        if correction.first_kept() <= last as i32 {
+            let message = text!(
+                "The program uses R1 to R{last}: the mean needs two later R parameters",
+                last
+            );
+            let formula = &request.path.formula;
+            let code = formula.code(&formula.results[correction.check.result]);
+            checker.error(
+                "wear-unsupported",
+                format!("tolerances.{code}.wear.store"),
+                message,
+            );
+        }
+    }
     if last > LAST_REGISTER {
         let message = text!(
             "The program would need R1 to R{last}; a control has R parameters up to R{limit} unless it was set up for more: take \
@@ -171,10 +193,10 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// Number of registers for the write of the frame.
+/// Number of registers for the write of the frame and the corrections of tools.
 fn frame_registers(request: &Request<'_>) -> usize {
-    if request.writes_offset() {
-        CHANGES[3]
+    if request.writes_tables() {
+        CHANGES[3] + 3 * request.corrections().len()
     } else {
         0
     }
@@ -221,7 +243,7 @@ struct Sinumerik<'a> {
 impl Sinumerik<'_> {
     /// Register that counts the touches, if the program writes.
     fn count(&self) -> Option<usize> {
-        let writes = self.request.form == ProgramForm::Moves && self.request.writes_offset();
+        let writes = self.request.form == ProgramForm::Moves && self.request.writes_tables();
         writes.then_some(self.registers.last + TOUCHES)
     }
 
@@ -252,6 +274,40 @@ impl Sinumerik<'_> {
             None => format!("{value}-{wanted}"),
         };
         (off, limit)
+    }
+
+    /// Registers of a correction: new number and sum of the errors, and the change of the tool.
+    fn correction(&self, i: usize) -> [usize; 3] {
+        [1, 2, 3].map(|k| self.registers.last + CHANGES[3] + 3 * i + k)
+    }
+
+    /// Computes the change of a tool.
+    fn compute(
+        &mut self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        i: usize,
+        correction: &ToolCorrection,
+    ) {
+        let (off, _) = self.deviation(formula, &correction.check);
+        let registers = self.correction(i).map(|register| format!("R{register}"));
+        let scale = self.request.scale;
+        w.comment(&correction.note());
+        let mut blocks = Blocks {
+            brackets: ('(', ')'),
+            compares: ["<=", ">"],
+            jump: &|condition, label| format!("IF {condition} GOTOF {label}"),
+            label: &mut || {
+                self.asked += 1;
+                format!("TP_KEEP_{}", self.asked)
+            },
+            target: &|label| format!("{label}:"),
+            number: &|x| decimal(x, 12),
+        };
+        let registers = registers.each_ref().map(String::as_str);
+        for line in blocks.lines(correction, (&off, scale), registers, "TP_STORED") {
+            w.line(&line);
+        }
     }
 
     fn notation(&self) -> RParameters<'_> {
@@ -421,7 +477,7 @@ impl Moves for Sinumerik<'_> {
         w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
         let code = formula.code(&formula.results[question.result]);
         let says = format!("{code} is \"<<{value}<<\"{}", question.complaint(unit));
-        let writes = self.request.writes_offset();
+        let writes = self.request.writes_tables();
         if question.stops(writes) {
             w.line(&format!(
                 "MSG(\"{says}{}\")",
@@ -446,7 +502,7 @@ impl Moves for Sinumerik<'_> {
             w.line("GOTOF TP_WRITE");
             w.line("TP_ASK:");
         }
-        w.comment("Cycle start writes the work offset. Reset leaves it unchanged");
+        w.comment(self.request.asks_what());
         let messages = messages(results(formula));
         for (i, message) in messages.iter().enumerate() {
             let is_last = i + 1 == messages.len();
@@ -459,14 +515,35 @@ impl Moves for Sinumerik<'_> {
         }
     }
 
-    fn write(
-        &mut self,
-        w: &mut Writer<'_>,
-        formula: &Formula,
-        number: i32,
-        datum: &OffsetCorrection,
-    ) {
-        write_datum(w, self.request, formula, self.registers, number, datum);
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, datum: Option<WrittenDatum<'_>>) {
+        if let Some((number, datum)) = datum {
+            compute_frame(w, self.request, formula, self.registers, number, datum);
+        }
+        let corrections = self.request.corrections();
+        for (i, correction) in corrections.iter().enumerate() {
+            self.compute(w, formula, i, correction);
+        }
+        // A program that is started in its middle has no count and no changes, and writes nothing.
+        let touches = self.registers.last + TOUCHES;
+        w.line(&format!(
+            "IF R{touches}<>{} GOTOF TP_INCOMPLETE",
+            self.request.path.touches.len()
+        ));
+        w.line(&format!("R{touches}=0"));
+        if let Some((number, datum)) = datum {
+            write_frame(w, self.request, self.registers, number, datum);
+        }
+        for (i, correction) in corrections.iter().enumerate() {
+            let [count, sum, change] = self.correction(i);
+            let [kept, kept_sum] = &correction.kept;
+            w.line(&format!("{kept}=R{count}"));
+            w.line(&format!("{kept_sum}=R{sum}"));
+            w.line(&format!("{0}={0}+R{change}", correction.name));
+            w.line(&format!("R{change}=0"));
+        }
+        if let Some((number, _)) = datum {
+            w.line(&(DEF.work_offset_word)(number));
+        }
     }
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
@@ -551,7 +628,7 @@ fn results(formula: &Formula) -> impl Iterator<Item = (Cow<'_, str>, String)> {
 fn waits(request: &Request<'_>) -> bool {
     let marks = |check: &ResultCheck| check.asked == CheckKind::MarkTolerance;
     let shows = request.report == ResultOutput::Screen && request.questions().iter().any(marks);
-    request.form == ProgramForm::Moves && request.writes_offset() && (shows || request.asks())
+    request.form == ProgramForm::Moves && request.writes_tables() && (shows || request.asks())
 }
 
 /// Checks before the first move: nothing has moved if one of them fails.
@@ -578,7 +655,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         w.comment(note);
     }
     w.comment(&orientation_line(request));
-    if request.form == ProgramForm::Moves && request.writes_offset() {
+    if request.form == ProgramForm::Moves && request.writes_tables() {
         w.comment(FROM_THE_TOP);
     }
     w.says_job();
@@ -754,9 +831,9 @@ fn must_be_free(w: &mut Writer<'_>, request: &Request<'_>, exit: &str) {
     ]);
 }
 
-/// The write at the end: shift and rotation of the frame, so that the measured point gets its nominal position. With the rotation a of the frame (about the
+/// Computes the write at the end: shift and rotation of the frame, so that the measured point gets its nominal position. With the rotation a of the frame (about the
 /// tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is T + R(a)·measured − R(b)·nominal.
-fn write_datum(
+fn compute_frame(
     w: &mut Writer<'_>,
     request: &Request<'_>,
     formula: &Formula,
@@ -768,15 +845,14 @@ fn write_datum(
     let name = |variable: Variable| print::variable(&notation, formula, variable);
     let constant = |mm: f64| decimal(mm / request.scale, 12);
     let value = |place: &Coordinate| place.measured.map_or_else(|| constant(place.nominal), name);
-    let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
-    let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");
+    let tool = AXIS_NAMES[request.plane.axes()[2]];
     w.comment("One write, at the very end: the change of the frame that brings what was measured to its nominal place");
     let register = |k: usize| registers.last + k;
     let [ca, co, ct, turns] = CHANGES.map(register);
     if let [Some(x), Some(y), _] = &datum.place {
         let [before, after] = TURNS.map(register);
         let ([mx, my], [nominal_x, nominal_y]) = (MEASURED.map(register), NOMINAL.map(register));
-        w.line(&format!("R{before}={}", frame(tool, "RT")));
+        w.line(&format!("R{before}={}", frame(n, tool, "RT")));
         w.line(&match datum.rotation {
             Some(turn) => format!("R{after}=R{before}+{}", name(turn)),
             None => format!("R{after}=R{before}"),
@@ -801,12 +877,18 @@ fn write_datum(
     if let Some(turn) = datum.rotation {
         w.line(&format!("R{turns}={}", name(turn)));
     }
-    // A program that is started in its middle has no count and no changes, and writes nothing.
-    let touches = register(TOUCHES);
-    w.line(&format!(
-        "IF R{touches}<>{} GOTOF TP_INCOMPLETE",
-        request.path.touches.len()
-    ));
+}
+
+/// Writes the changes of the frame.
+fn write_frame(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    registers: &Registers,
+    n: i32,
+    datum: &OffsetCorrection,
+) {
+    let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    let [ca, co, ct, turns] = CHANGES.map(|k| registers.last + k);
     let parts = [
         (ca, a, "TR"),
         (co, o, "TR"),
@@ -818,12 +900,15 @@ fn write_datum(
         .zip(changes(datum))
         .filter(|(_, changes)| *changes)
         .map(|(part, _)| *part);
-    w.line(&format!("R{touches}=0"));
     for (register, axis, part) in changed {
-        w.line(&format!("{0}={0}+R{register}", frame(axis, part)));
+        w.line(&format!("{0}={0}+R{register}", frame(n, axis, part)));
         w.line(&format!("R{register}=0"));
     }
-    w.line(&(DEF.work_offset_word)(n));
+}
+
+/// Name of a part of a work offset's frame.
+fn frame(number: i32, axis: &str, part: &str) -> String {
+    format!("$P_UIFR[{number},{axis},{part}]")
 }
 
 /// The end, and the exits after it. Whatever went wrong, the program itself has written nothing.
@@ -881,6 +966,19 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
             w.line("GOTOF TP_EXIT");
             w.line("TP_INCOMPLETE:");
             w.line("MSG(\"Not every touch was made in this run. Start the program at its beginning. Nothing is written\")");
+            w.line("GOTOF TP_STOP");
+        }
+        let corrections = request.corrections();
+        if !corrections.is_empty() {
+            let kept: Vec<&str> = corrections
+                .iter()
+                .flat_map(|own| own.kept.iter().map(String::as_str))
+                .collect();
+            w.line("TP_STORED:");
+            w.line(&format!(
+                "MSG(\"Set {} to 0: other values are in them. Nothing is written\")",
+                kept.join(", ")
+            ));
             w.line("GOTOF TP_STOP");
         }
         w.line("TP_EXIT:");

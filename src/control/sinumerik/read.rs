@@ -6,7 +6,7 @@ use crate::control::iso::line_cache::ReaderId;
 use crate::control::iso::lines::{self, Blocks};
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
 use crate::control::iso::script::{
-    Block, BlockKind, Locals, LookAhead, Motion, Part, ReadError, Script, System,
+    Block, BlockKind, Locals, LookAhead, Motion, Part, ReadError, Script, System, ToolRegister,
 };
 use crate::control::iso::targets::{BackReference, Targets};
 use crate::control::iso::words;
@@ -49,6 +49,14 @@ fn system(name: &[u8]) -> Option<System> {
         ("$P_TOOL", "") => System::Fixed(1.0),
         ("$P_TOOLNO", "") => System::Tool,
         ("$MN_SCALING_SYSTEM_IS_METRIC", "") => System::Metric,
+        // Wear of length 1 and of the radius.
+        ("$TC_DP12" | "$TC_DP15", inner) => {
+            let (tool, edge) = inner.split_once(',')?;
+            let table = if head == "$TC_DP12" { 12 } else { 15 };
+            let tool = trimmed(tool).parse().ok()?;
+            (trimmed(edge) == "1").then_some(())?;
+            System::Offset(Part::Tool(ToolRegister { table, tool }))
+        }
         ("$P_UIFR", inner) => {
             let mut parts = inner.split(',');
             let number = trimmed(parts.next()?).parse().ok()?;

@@ -14,7 +14,7 @@ use std::cell::{Cell, OnceCell};
 use crate::control::iso::script::{
     Block, BlockKind, LookAhead, Modes, Motion, NodeId, Part, ReadError, Script, Slot, Words,
 };
-use crate::control::trace::{Kind, Place, ProbeConsequence, Step, Trace};
+use crate::control::trace::{Kind, Place, ProbeConsequence, Step, Trace, Written};
 use crate::geom::Plane;
 use crate::text::{Text, text};
 
@@ -161,7 +161,7 @@ enum BlockEffect<'s> {
     Moved(&'s Words, Motion),
     Output(&'s str, f64),
     Pause,
-    Wrote(i32, [bool; 3], bool),
+    Wrote(Written),
     Native,
     Alarm,
     End,
@@ -237,7 +237,7 @@ pub fn run_marked(
             BlockEffect::Pause => tail.paused(&mut machine.slots),
             BlockEffect::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
             BlockEffect::Native => trace.natives.push(line),
-            BlockEffect::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
+            BlockEffect::Wrote(written) => trace.wrote(line, written),
             BlockEffect::Alarm if run.may_stop && trace.steps.is_empty() => {
                 return Ok((trace, tail));
             }
@@ -281,7 +281,7 @@ pub struct AlarmState {
     pub touches: usize,
     /// Number of motions after the last of these lines.
     pub since: usize,
-    /// Whether it has written a work offset.
+    /// Whether it has written a work offset or a tool.
     pub writes: bool,
 }
 
@@ -363,11 +363,15 @@ impl<'s, 't> Machine<'s, 't> {
             BlockKind::Words(words) => words.modes.metric,
             _ => None,
         });
+        let mut slots = vec![f64::NAN; script.slots];
+        for (slot, value) in &script.kept {
+            slots[*slot as usize] = *value;
+        }
         Machine {
             script,
             arguments: OnceCell::new(),
             state,
-            slots: VariableStore::of(vec![f64::NAN; script.slots]),
+            slots: VariableStore::of(slots),
             metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
             unwatched: Default::default(),
             first: None,
@@ -511,12 +515,7 @@ impl<'s, 't> Machine<'s, 't> {
             BlockKind::SetOffset(part, node) => {
                 let value = self.value(*node);
                 self.set_part(*part, value);
-                return Ok(match part {
-                    Part::Origin(number, axis) => {
-                        BlockEffect::Wrote(*number, [0, 1, 2].map(|i| i == *axis), false)
-                    }
-                    Part::Turn(number, _) => BlockEffect::Wrote(*number, [false; 3], true),
-                });
+                return Ok(BlockEffect::Wrote(Written::Part(*part)));
             }
             BlockKind::Jump(target) => self.state.pc = *target,
             BlockKind::JumpIf(node, target) => {
@@ -536,19 +535,19 @@ impl<'s, 't> Machine<'s, 't> {
             }
             BlockKind::Reading(number, axes) => {
                 self.state.reading = Some(axes.map(|node| node.map(|node| self.value(node))));
-                return Ok(BlockEffect::Wrote(
+                return Ok(BlockEffect::Wrote(Written::Offset(
                     *number,
                     axes.map(|node| node.is_some()),
                     false,
-                ));
+                )));
             }
             BlockKind::Origin(number, axes, turn) => {
                 self.set_origin(*number, axes, *turn);
-                return Ok(BlockEffect::Wrote(
+                return Ok(BlockEffect::Wrote(Written::Offset(
                     *number,
                     axes.map(|node| node.is_some()),
                     turn.is_some(),
-                ));
+                )));
             }
             BlockKind::Alarm => return Ok(BlockEffect::Alarm),
             BlockKind::Warned => self.state.warned = true,

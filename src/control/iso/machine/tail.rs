@@ -2,7 +2,7 @@
 
 use super::slots::{VariableStore, WriteMark};
 use super::{BlockEffect, Machine, Run, State};
-use crate::control::iso::script::{BlockKind, Motion, Script, Slot};
+use crate::control::iso::script::{BlockKind, Motion, Part, Script, Slot};
 use crate::control::trace::{Place, Trace};
 
 /// State of a program when its results have their values, and its variables at its end.
@@ -25,7 +25,7 @@ pub struct TailOutcome {
     pub stops: bool,
     /// Whether it reaches its end.
     pub ends: bool,
-    /// Whether it writes a work offset.
+    /// Whether it writes a work offset or a tool.
     pub writes: bool,
     /// Whether it waits for the operator before it writes.
     pub asks: bool,
@@ -112,6 +112,29 @@ impl TailRunner<'_, '_> {
         machine.slots.back(written);
         outcome
     }
+
+    /// Change of a tool by the end of the program with these values of variables, and the values of some variables afterwards. `None` if the program does not
+    /// reach its end.
+    pub fn corrected<const N: usize>(
+        &mut self,
+        values: &[(Slot, f64)],
+        tool: Part,
+        after: [Slot; N],
+    ) -> Option<(f64, [f64; N])> {
+        let TailRunner { begin, machine } = self;
+        let written = machine.slots.mark();
+        machine.state.copy_from(begin);
+        machine.budget_left.set(super::BUDGET);
+        for (slot, value) in values {
+            machine.slots.set(*slot as usize, *value);
+        }
+        let before = machine.part(tool);
+        let ends = machine.finished().ends;
+        let change = machine.part(tool) - before;
+        let after = after.map(|slot| machine.slots.get(slot as usize));
+        machine.slots.back(written);
+        ends.then_some((change, after))
+    }
 }
 
 impl Machine<'_, '_> {
@@ -143,7 +166,7 @@ impl Machine<'_, '_> {
     }
 }
 
-/// Whether a program that is restarted at a block, with these values in its variables, changes a work offset although not all of its touches were made in this
+/// Whether a program that is restarted at a block, with these values in its variables, changes a work offset or a tool although not all of its touches were made in this
 /// run. All restarts share the step budget `left`. `trace` belongs to the whole program; its touches, in these lines in order, touch here, too.
 pub fn restarted(
     script: &Script<'_>,
@@ -173,7 +196,7 @@ pub fn restarted(
 }
 
 impl Machine<'_, '_> {
-    /// Continues to the end, or to a change of a work offset before this number of touches.
+    /// Continues to the end, or to a change of a work offset or a tool before this number of touches.
     fn writes_too_early(&mut self, touch_lines: &[usize]) -> bool {
         let script = self.script;
         let machine = self;

@@ -2,18 +2,21 @@
 
 use super::Machine;
 use crate::control::iso::script::{Binary, LookAhead, Node, NodeId, Part, System, Unary};
-use crate::control::trace::{OffsetEffect, Place, Trace};
+use crate::control::trace::{OffsetEffect, Place, Trace, WrittenValue};
 use crate::geom::Plane;
 
 /// Assumed length of the tool along the tool axis, in units of the program: any number but 0.
 const TOOL_LENGTH: f64 = 97.25;
+
+/// Assumed wear of every tool: any number but 0.
+const WEAR: f64 = 0.375;
 
 /// Assumed work offset before the program writes it: any origin but 0, rotated if the control can.
 const ORIGIN: Place = [311.5, -207.25, 43.75];
 const TURN: f64 = 25.0;
 
 impl Machine<'_, '_> {
-    fn part(&self, part: Part) -> f64 {
+    pub(super) fn part(&self, part: Part) -> f64 {
         if let Part::Turn(_, axis) = part
             && axis != self.tool_axis()
         {
@@ -38,7 +41,7 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// Whether a work offset has changed, or reads a position differently. NaN stops the control.
+    /// Whether a work offset or a tool has changed, or reads a position differently. NaN stops the control.
     pub(super) fn changed(&self) -> bool {
         let moved = |(part, value): &(Part, f64)| {
             (value - before(*part, self.script.offsets_lack_rotation)).abs() > 1e-9
@@ -52,7 +55,10 @@ impl Machine<'_, '_> {
 
     /// Effect of the writes to the work offset, for the current ball centre.
     pub(super) fn written(&self, trace: &Trace) -> Option<OffsetEffect> {
-        let number = trace.writes.first()?.number;
+        let number = trace.writes.iter().find_map(|write| match write.what {
+            WrittenValue::Offset(number, _) => Some(number),
+            WrittenValue::Tool(_) => None,
+        })?;
         let plane = self.state.modes.plane.unwrap_or(Plane::G17);
         let [a, o, tool] = plane.axes();
         let turn = Part::Turn(number, tool);
@@ -184,9 +190,10 @@ impl Machine<'_, '_> {
     }
 }
 
-/// A part of a work offset before the program.
+/// A part of a work offset or a tool before the program.
 fn before(part: Part, straight: bool) -> f64 {
     match part {
+        Part::Tool(_) => WEAR,
         Part::Origin(_, axis) => ORIGIN[axis],
         Part::Turn(..) if straight => 0.0,
         Part::Turn(..) => TURN,
