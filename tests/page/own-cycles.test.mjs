@@ -141,6 +141,42 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   assert.equal(await page.locator(".tolerances .problem").count(), 0);
 });
 
+test("a program of moves corrects a tool once the control's offsets are stated, which is asked only then", async () => {
+  await openText(
+    JSON.stringify({
+      format: 1,
+      cycle: { type: "hole", diameter: 25 },
+      control: { post: "haas", form: "moves" },
+      part: { sizes: { diameter: -0.02 } },
+      tolerances: { diameter: { tolerance: "±0.05" } },
+    }),
+  );
+  assert.equal(await field("control.toolOffsets").count(), 0);
+  await panel("measured");
+  const box = (/** @type {string} */ name) =>
+    page.getByRole("textbox", { name: `diameter: ${name}` });
+  for (const [name, value] of [
+    ["Tool offset", "5"],
+    ["Mean of parts", "3"],
+    ["Stored in", "520"],
+  ])
+    await box(String(name)).fill(String(value));
+  await settles(async () => (await field("control.toolOffsets").count()) === 1);
+  await field("control.toolOffsets").selectOption("radius");
+  const plan = () =>
+    page.evaluate(() =>
+      JSON.stringify(
+        /** @type {any} */ (document.querySelector("touch-path")).plan,
+      ),
+    );
+  await settles(async () => (await plan()).includes("#2605=#2605+"));
+  await settles(async () =>
+    (await plan()).includes(
+      "after 3 parts like this one the program changes the radius wear of tool 5 by -0.01 mm",
+    ),
+  );
+});
+
 for (const [post, calls] of /** @type {[string, string[]][]} */ ([
   ["heidenhain", ["TCH PROBE 427", "TCH PROBE 421", "TCH PROBE 426"]],
   ["haas", ["G65 P9811", "G65 P9814", "G65 P9812"]],
