@@ -34,6 +34,9 @@ pub trait Moves {
         Vec::new()
     }
 
+    /// Blocks between native cycles that make no move, before this move or after the last one: saved results, arithmetic.
+    fn between(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
+
     /// Blocks that call a native cycle.
     fn call(&self, _which: usize, _w: &mut Writer<'_>) {}
 
@@ -126,7 +129,8 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             from,
         };
         w.names_cycle(index);
-        if let Some(begins) = path.begins_member(index) {
+        hooks.between(&mut w, formula, index);
+        if let Some(begins) = path.begins_member(index).filter(|_| own.is_empty()) {
             for question in path.asked_before(begins, &request.limits) {
                 hooks.check_result(&mut w, formula, &question);
             }
@@ -172,6 +176,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             if own.start == path.moves.len() {
                 hooks.call(0, &mut w);
             }
+            hooks.between(&mut w, formula, path.moves.len());
             hooks.report(&mut w, formula);
         }
     }

@@ -242,7 +242,7 @@ pub static RULES: &[Rule] = &[
         requirement: "A result that a later cycle follows and that is off by more than its limit ends the program before it moves to that cycle",
         why: "A chip under the first touch would send the probe into the part.",
         mandatory: true,
-        own_cycle: true,
+        own_cycle: false,
         about: Scope::Last,
         violations: place_within_limit,
     },

@@ -252,6 +252,12 @@ impl CallSequence {
         self.computed.iter().any(computed)
     }
 
+    /// Whether it is a program of several cycles that may stop between them.
+    pub fn checks(&self) -> bool {
+        let computes = |(block, _): &(CallBlock, usize)| matches!(block, CallBlock::Compute(_));
+        self.blocks.iter().any(computes)
+    }
+
     /// Cycle before which the program computes a value, by its index.
     pub fn computed_before(&self, assignment: usize) -> Option<usize> {
         match self.computed.get(assignment).copied().flatten()? {

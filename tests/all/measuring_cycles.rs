@@ -36,56 +36,68 @@ fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
                 }
             }
         }
-        let Some((number, given)) = arguments(line) else {
-            continue;
-        };
-        let a = |place: usize| given[place - 1];
-        if number == 978 {
-            let mut along = [0.0; 3];
-            along[a(8) as usize - 1] = if a(9) == 1.0 { 1.0 } else { -1.0 };
-            let axis = a(8) as usize - 1;
-            let mut from = at;
-            from[axis] = a(5) - along[axis] * (BALL + a(6));
-            made.push(contact(faces, from, along, 2.0 * a(6)));
-            continue;
-        }
-        let (kind, zone) = (a(1) % 10.0, a(1) >= 1000.0);
-        let inside = kind % 2.0 == 1.0;
-        let height = if zone || !inside {
-            at[2] - a(11)
-        } else {
-            at[2]
-        };
-        let sides: Vec<(f64, f64)> = match kind as u32 {
-            1 | 2 => vec![(0.0, a(5)), (90.0, a(5))],
-            3 | 4 => vec![((a(14) - 1.0) * 90.0, a(5))],
-            _ => vec![(0.0, a(6)), (90.0, a(7))],
-        };
-        let mut center = at;
-        for (angle, size) in sides {
-            let (s, c) = (angle + a(10)).to_radians().sin_cos();
-            let pair = [1.0, -1.0].map(|side| {
-                let out = [c * side, s * side, 0.0];
-                let off = if inside {
-                    size / 2.0 - BALL - a(8)
-                } else {
-                    size / 2.0 + BALL + a(8)
-                };
-                let from = [center[0] + out[0] * off, center[1] + out[1] * off, height];
-                contact(
-                    faces,
-                    from,
-                    if inside { out } else { out.map(|x| -x) },
-                    2.0 * a(8),
-                )
-            });
-            made.extend(pair);
-            let found = [0, 1].map(|i| (pair[0][i] + pair[1][i]) / 2.0 - center[i]);
-            let along = found[0] * c + found[1] * s;
-            center = [center[0] + along * c, center[1] + along * s, center[2]];
+        if let Some((number, given)) = arguments(line) {
+            made.extend(measured((number, &given), at, faces).0);
         }
     }
     made
+}
+
+/// Contacts of a call with its arguments from this position of the ball, and its results: entries 4 (size), 5 and 6 (centre).
+pub(super) fn measured(
+    (number, given): (u32, &[f64]),
+    at: [f64; 3],
+    faces: &[Face],
+) -> (Vec<[f64; 3]>, Vec<(usize, f64)>) {
+    let a = |place: usize| given[place - 1];
+    if number == 978 {
+        let mut along = [0.0; 3];
+        along[a(8) as usize - 1] = if a(9) == 1.0 { 1.0 } else { -1.0 };
+        let axis = a(8) as usize - 1;
+        let mut from = at;
+        from[axis] = a(5) - along[axis] * (BALL + a(6));
+        return (vec![contact(faces, from, along, 2.0 * a(6))], Vec::new());
+    }
+    let (kind, zone) = (a(1) % 10.0, a(1) >= 1000.0);
+    let inside = kind % 2.0 == 1.0;
+    let height = if zone || !inside {
+        at[2] - a(11)
+    } else {
+        at[2]
+    };
+    let sides: Vec<(f64, f64)> = match kind as u32 {
+        1 | 2 => vec![(0.0, a(5)), (90.0, a(5))],
+        3 | 4 => vec![((a(14) - 1.0) * 90.0, a(5))],
+        _ => vec![(0.0, a(6)), (90.0, a(7))],
+    };
+    let (mut center, mut made, mut results) = (at, Vec::new(), Vec::new());
+    for (angle, size) in sides {
+        let (s, c) = (angle + a(10)).to_radians().sin_cos();
+        let pair = [1.0, -1.0].map(|side| {
+            let out = [c * side, s * side, 0.0];
+            let off = if inside {
+                size / 2.0 - BALL - a(8)
+            } else {
+                size / 2.0 + BALL + a(8)
+            };
+            let from = [center[0] + out[0] * off, center[1] + out[1] * off, height];
+            contact(
+                faces,
+                from,
+                if inside { out } else { out.map(|x| -x) },
+                2.0 * a(8),
+            )
+        });
+        made.extend(pair);
+        let found = [0, 1].map(|i| (pair[0][i] + pair[1][i]) / 2.0 - center[i]);
+        let along = found[0] * c + found[1] * s;
+        center = [center[0] + along * c, center[1] + along * s, center[2]];
+        let apart = (pair[0][0] - pair[1][0]).hypot(pair[0][1] - pair[1][1]);
+        let ball = if inside { BALL } else { -BALL };
+        results.push((4, apart + 2.0 * ball));
+    }
+    results.extend([(5, center[0]), (6, center[1])]);
+    (made, results)
 }
 
 fn job(cycle: &str, changes: &[(&str, Value)]) -> Value {

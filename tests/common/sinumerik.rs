@@ -37,6 +37,8 @@ pub struct Machine {
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
     pub writes: usize,
+    /// `_OVR`, the results of the last measuring cycle.
+    pub results: HashMap<usize, f64>,
     /// Wear of tools, by name of the register, tool and edge.
     pub tools: HashMap<(String, usize, usize), f64>,
     /// Number of times that M0 stopped it.
@@ -46,6 +48,9 @@ pub struct Machine {
     touched: usize,
     state: f64,
 }
+
+/// Runs a measuring cycle by its number, its arguments (omitted ones are NaN) and the position of the ball. Returns entries of `_OVR`.
+pub type Cycles<'c> = &'c mut dyn FnMut(u32, &[f64], [f64; 3]) -> Vec<(usize, f64)>;
 
 /// Registers of tools that a program may write.
 const TOOLS: [&str; 2] = ["$TC_DP12", "$TC_DP15"];
@@ -80,6 +85,7 @@ impl Machine {
             written: Vec::new(),
             path: Vec::new(),
             writes: 0,
+            results: HashMap::new(),
             tools: HashMap::new(),
             waits: 0,
             start: [f64::NAN; 3],
@@ -93,6 +99,11 @@ impl Machine {
     }
 
     pub fn run(&mut self, program: &Program) -> Result<(), String> {
+        self.run_with(program, &mut |_, _, _| Vec::new())
+    }
+
+    /// Runs a program that calls measuring cycles.
+    pub fn run_with(&mut self, program: &Program, cycles: Cycles<'_>) -> Result<(), String> {
         let stated = |comment: &String| comment.strip_prefix("The probe is tool ")?.parse().ok();
         self.tool = self
             .tool
@@ -210,7 +221,14 @@ impl Machine {
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
                     // The hundreds of its variant: it corrects the work offset itself.
                     ("CYCLE977" | "CYCLE978", [Some(Term::Number(variant)), ..]) => {
-                        self.writes += usize::from(*variant % 1000.0 >= 100.0)
+                        self.writes += usize::from(*variant % 1000.0 >= 100.0);
+                        let given = arguments.iter().map(|given| match given {
+                            None | Some(Term::Text(_)) => Ok(f64::NAN),
+                            Some(term) => self.value(term, at),
+                        });
+                        let given = given.collect::<Result<Vec<f64>, _>>()?;
+                        let number = name["CYCLE".len()..].parse().unwrap();
+                        self.results.extend(cycles(number, &given, at));
                     }
                     _ => return Err(format!("line {line}: {name} is not known")),
                 },
@@ -283,7 +301,10 @@ impl Machine {
                 }
                 ("$P_TOOL", []) => f64::from(self.tool_offset),
                 // Results of the measuring cycles.
-                ("_OVR", [_]) => 0.0,
+                ("_OVR", [Term::Number(entry)]) => {
+                    let held = self.results.get(&(*entry as usize));
+                    held.copied().unwrap_or(0.0)
+                }
                 ("$A_PROBE", _) => truth(self.is_deflected()),
                 ("$MN_SCALING_SYSTEM_IS_METRIC", []) => truth(self.metric),
                 ("$AA_MW" | "$AA_IW", [axis]) => at[axis_of(axis)?],

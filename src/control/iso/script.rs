@@ -309,6 +309,8 @@ pub struct Script<'t> {
     pub results: Vec<(&'t str, Slot)>,
     /// Variables with values from earlier runs.
     pub kept: Vec<(Slot, f64)>,
+    /// Values that each native cycle gives to its variables, in the order of the calls.
+    pub measured: Vec<Vec<(Slot, f64)>>,
 }
 
 /// Variables that a reset clears, recalled [R] for all of these.
@@ -487,6 +489,14 @@ impl<'t> Script<'t> {
         let names = self.names.iter().chain(&self.more_names);
         names
             .filter(|(name, _)| self.locals.has(name))
+            .map(|(_, slot)| *slot)
+    }
+
+    /// Variables whose names begin like this.
+    pub fn slots_like<'s>(&'s self, start: &'s [u8]) -> impl Iterator<Item = Slot> + 's {
+        let names = self.names.iter().chain(&self.more_names);
+        names
+            .filter(move |(name, _)| name.starts_with(start))
             .map(|(_, slot)| *slot)
     }
 

@@ -29,6 +29,7 @@ use crate::control::iso::writer::{
     Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards,
 };
 use crate::control::moves::{self, MoveContext, Moves, StoredCoordinate, WrittenDatum, each_piece};
+use crate::control::native_run::compute;
 use crate::control::shop::place;
 use crate::control::{
     BASE, FROM_THE_TOP, PostDef, Program, ProgramForm, Request, ResultOutput, check_plain_moves,
@@ -38,7 +39,9 @@ use crate::form::Checker;
 use crate::formula::{CheckKind, Coordinate, Formula, OffsetCorrection, ResultCheck, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{decimal, format_count, push_count};
-use crate::path::{FeatureKind, Feed, Move, STATED_RAPID, ShiftTerm, Touch};
+use crate::path::{
+    CallBlock, CallSequence, FeatureKind, Feed, Move, STATED_RAPID, ShiftTerm, Touch,
+};
 use crate::text::text;
 
 pub static DEF: PostDef = PostDef {
@@ -265,8 +268,15 @@ impl Sinumerik<'_> {
 
     /// Deviation of a result from its expected value, and its limit.
     fn deviation(&self, formula: &Formula, check: &ResultCheck) -> (String, String) {
+        self.deviation_of(
+            format!("R{}", self.registers.checked(formula, check)),
+            check,
+        )
+    }
+
+    /// The same of a result with this name.
+    fn deviation_of(&self, value: String, check: &ResultCheck) -> (String, String) {
         let unit = if check.angle { 1.0 } else { self.request.scale };
-        let value = format!("R{}", self.registers.checked(formula, check));
         let [limit, wanted] = [check.limit, check.expected].map(|x| decimal(x / unit, 12));
         let off = match wanted.strip_prefix('-') {
             _ if wanted == "0" => value,
@@ -316,6 +326,56 @@ impl Sinumerik<'_> {
         }
     }
 
+    /// Computes what the native cycles so far give, and stops before cycle `m` if it follows a result that is beyond its limit.
+    fn compute_before(&mut self, w: &mut Writer<'_>, formula: &Formula, m: usize) {
+        let Some(own) = &self.request.path.calls else {
+            return;
+        };
+        let (values, checks) = compute::before(self.request, own, m);
+        for (index, register) in values {
+            w.build(|text| {
+                text.push('R');
+                push_count(text, register);
+                text.push('=');
+                let node = formula.assignments[index].node;
+                print::print_to(
+                    text,
+                    &CycleResults { own },
+                    formula,
+                    node,
+                    self.request.scale,
+                );
+                text.push_str(" ; ");
+                formula.push_name(index, text);
+            });
+        }
+        for check in checks {
+            let stored = own.stored_value(check.variable.index());
+            let value = stored.map_or_else(String::new, plan_calls::CYCLES.name);
+            self.stop_beyond(w, formula, &check, &value);
+        }
+    }
+
+    /// Stops with an alarm if a result is beyond its limit.
+    fn stop_beyond(
+        &mut self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        check: &ResultCheck,
+        value: &str,
+    ) {
+        self.asked += 1;
+        let unit = if check.angle { 1.0 } else { self.request.scale };
+        let (off, limit) = self.deviation_of(value.to_owned(), check);
+        let label = format!("TP_GOOD_{}", self.asked);
+        w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
+        let code = formula.code(&formula.results[check.result]);
+        let says = format!("{code} is \"<<{value}<<\"{}", check.complaint(unit));
+        w.line(&format!("MSG(\"{says}\")"));
+        w.line("GOTOF TP_STOP");
+        w.line(&format!("{label}:"));
+    }
+
     /// Checks before a MEAS block whether the probe is free, if the move before it was not watched.
     fn ask_probe(&mut self, w: &mut Writer<'_>) {
         if std::mem::take(&mut self.unwatched) {
@@ -334,7 +394,24 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn call(&self, which: usize, w: &mut Writer<'_>) {
-        plan_calls::call(self.request, which, w);
+        let (formula, scale) = (&self.request.path.formula, self.request.scale);
+        plan_calls::call(self.request, which, w, &|terms| {
+            self.shift(formula, terms, scale)
+        });
+    }
+
+    fn between(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
+        if self.request.form == ProgramForm::Cycle {
+            for block in plan_calls::between(self.request, index) {
+                match block {
+                    CallBlock::SaveResult(register, entry) => {
+                        w.line(&format!("R{register}=_OVR[{entry}]"));
+                    }
+                    CallBlock::Compute(m) => self.compute_before(w, formula, *m),
+                    CallBlock::Call(..) | CallBlock::Cycle(..) | CallBlock::MoveTo(..) => {}
+                }
+            }
+        }
     }
 
     fn begin(&mut self, w: &mut Writer<'_>) {
@@ -427,7 +504,10 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn shift(&self, formula: &Formula, terms: &[ShiftTerm], scale: f64) -> String {
-        print::shift(&self.notation(), formula, terms, scale)
+        match &self.request.path.calls {
+            Some(own) => print::shift(&CycleResults { own }, formula, terms, scale),
+            None => print::shift(&self.notation(), formula, terms, scale),
+        }
     }
 
     fn retract(&mut self, w: &mut Writer<'_>, step: MoveContext<'_>) {
@@ -929,11 +1009,12 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     };
     // Reasons for a jump to an exit that lifts: a watched move, or a touch.
     let touches = request.form == ProgramForm::Moves;
+    let computes = request.path.calls.as_ref().is_some_and(|own| own.checks());
     if let Some(first) = request
         .path
         .moves
         .first()
-        .filter(|_| request.protected || touches)
+        .filter(|_| request.protected || touches || computes)
     {
         let contact = match request.dry {
             Some(_) => "MSG(\"Dry run: something is in the way of move \"<<TP_MOVE)".to_owned(),
@@ -1036,6 +1117,26 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
 #[derive(Debug)]
 struct RParameters<'a> {
     registers: &'a Registers,
+}
+
+/// Prints expressions over the results of native cycles.
+#[derive(Debug)]
+struct CycleResults<'a> {
+    own: &'a CallSequence,
+}
+
+impl Notation for CycleResults<'_> {
+    const BRACKETS: (char, char) = ('(', ')');
+    const ATAN: [&'static str; 3] = ["ATAN2(", ",", ")"];
+
+    fn variable(&self, _: &Formula, index: usize, out: &mut String) {
+        let stored = self.own.stored_value(index);
+        out.push_str(&stored.map_or_else(String::new, plan_calls::CYCLES.name));
+    }
+
+    fn trigger(&self, _: usize, _: usize, _: &mut String) {
+        unreachable!("the cycles keep no contacts")
+    }
 }
 
 impl Notation for RParameters<'_> {

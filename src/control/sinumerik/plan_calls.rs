@@ -22,7 +22,7 @@ use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
     Bore, CallBlock, Feature, Feed, FieldValue, Guard, Off, Pairs, Path, Point, ProbeTable,
-    Quantity, Stored, Touch,
+    Quantity, ShiftTerm, Stored, Touch,
 };
 use crate::text::text;
 
@@ -51,7 +51,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: false,
-        computes: false,
+        computes: true,
         activates: None,
         saved_variables: (1, LAST_REGISTER),
     },
@@ -588,67 +588,78 @@ pub fn notes(request: &Request<'_>) -> Vec<String> {
     notes
 }
 
-/// The calls, each with its moves.
-fn calls<'a>(request: &Request<'a>) -> Vec<(&'a CallBlock, Range<usize>)> {
+/// The blocks, each with its index and its moves.
+fn blocks<'a>(request: &Request<'a>) -> impl Iterator<Item = (usize, &'a CallBlock, Range<usize>)> {
     // The first move ends where the cycles count from.
     let mut at = 1;
-    let blocks = request
-        .path
-        .calls
-        .iter()
-        .flat_map(|own| &own.blocks)
-        .map(|(block, moves)| {
-            at += moves;
-            (block, at - moves..at)
-        });
-    blocks
-        .filter(|(block, _)| matches!(block, CallBlock::Cycle(..)))
+    let own = request.path.calls.iter().flat_map(|own| &own.blocks);
+    own.enumerate().map(move |(i, (block, moves))| {
+        at += moves;
+        (i, block, at - moves..at)
+    })
+}
+
+/// The calls, each with its index among the blocks, and its moves.
+fn calls<'a>(request: &Request<'a>) -> Vec<(usize, &'a CallBlock, Range<usize>)> {
+    blocks(request)
+        .filter(|(_, block, _)| matches!(block, CallBlock::Cycle(..)))
         .collect()
+}
+
+/// Blocks without a move, before this move.
+pub fn between<'a>(request: &Request<'a>, index: usize) -> Vec<&'a CallBlock> {
+    let still = move |(_, block, moves): (usize, &'a CallBlock, Range<usize>)| {
+        let computes = matches!(block, CallBlock::SaveResult(..) | CallBlock::Compute(_));
+        (computes && moves.start == index).then_some(block)
+    };
+    blocks(request).filter_map(still).collect()
 }
 
 /// Moves of each cycle, in the order of the calls.
 pub fn ranges(request: &Request<'_>) -> Vec<Range<usize>> {
-    calls(request).into_iter().map(|(_, moves)| moves).collect()
+    calls(request)
+        .into_iter()
+        .map(|(.., moves)| moves)
+        .collect()
 }
 
 /// Whether a move starts at the end of a cycle that corrects nothing: in the measured middle, not in the nominal one.
 pub fn starts_off_centre(request: &Request<'_>, index: usize) -> bool {
     calls(request)
         .iter()
-        .any(|(block, moves)| moves.end == index && !block.writes())
+        .any(|(_, block, moves)| moves.end == index && !block.writes())
 }
 
-/// Writes the call that makes these moves, and the blocks that save the results of the previous one.
-pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
-    let Some(own) = &request.path.calls else {
+/// Writes the call that makes these moves. `shift` prints the terms that shift a word.
+pub fn call(
+    request: &Request<'_>,
+    which: usize,
+    w: &mut Writer<'_>,
+    shift: &dyn Fn(&[ShiftTerm]) -> String,
+) {
+    let own = request.path.calls.as_ref();
+    let calls = calls(request);
+    let (Some(own), Some((index, CallBlock::Cycle(number, arguments), _))) =
+        (own, calls.get(which))
+    else {
         return;
     };
-    let calls = own
-        .blocks
-        .iter()
-        .enumerate()
-        .filter(|(_, (block, _))| matches!(block, CallBlock::Cycle(..)));
-    let Some((index, (CallBlock::Cycle(number, arguments), _))) = calls.clone().nth(which) else {
-        return;
-    };
-    let before = which
-        .checked_sub(1)
-        .and_then(|before| calls.clone().nth(before))
-        .map_or(0, |(index, _)| index);
-    for (block, _) in &own.blocks[before..index] {
-        if let CallBlock::SaveResult(register, entry) = block {
-            w.line(&format!("R{register}=_OVR[{entry}]"));
-        }
-    }
     let last = arguments.iter().map(|(place, _)| *place).max().unwrap_or(0);
     // The name of a tool stays empty.
     let name = if *number == 977 { 16 } else { 11 };
-    let text = |place: u16| match arguments.iter().find(|(known, _)| *known == place) {
-        _ if place == name => "\"\"".to_owned(),
-        Some((_, Length(mm) | Quantity::Feed(mm))) => w.number(*mm).to_string(),
-        Some((_, Angle(x))) => decimal(*x, 4),
-        Some((_, Plain(x))) => decimal(*x, 0),
-        None => String::new(),
+    let text = |place: u16| {
+        if place == name {
+            return "\"\"".to_owned();
+        }
+        let Some(word) = arguments.iter().position(|(known, _)| *known == place) else {
+            return String::new();
+        };
+        let value = match arguments[word].1 {
+            Length(mm) | Quantity::Feed(mm) => w.number(mm).to_string(),
+            Angle(x) => decimal(x, 4),
+            Plain(x) => decimal(x, 0),
+        };
+        value + &shift(own.shifts(*index, word))
     };
     let block = format!(
         "CYCLE{number}({})",

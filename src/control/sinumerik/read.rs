@@ -28,10 +28,6 @@ fn axis_of(name: &str) -> Option<usize> {
 }
 
 fn system(name: &[u8]) -> Option<System> {
-    // Results of the measuring cycles, whose meaning the cycles define.
-    if name.starts_with(b"_OVR[") {
-        return Some(System::Fixed(0.0));
-    }
     if !name.starts_with(b"$") {
         return None;
     }
@@ -178,6 +174,9 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<ReadError>> {
     }
     targets.resolve(&mut script, true)?;
     script.give_results();
+    // Results of the measuring cycles, whose meaning the cycles define.
+    let results = script.slots_like(b"_OVR[").map(|slot| (slot, 0.0));
+    script.kept = results.collect();
     Ok(script)
 }
 

@@ -368,7 +368,7 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
     );
     // Its programs of native cycles do not compute.
     let own = with(
-        &on("sinumerik"),
+        &on("okuma"),
         "control.form",
         Value::Text("cycle".to_owned()),
     );

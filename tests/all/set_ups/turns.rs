@@ -602,7 +602,7 @@ fn what_cannot_follow_is_refused_at_its_place() {
         { "name": "POCKET", "type": "internal-rectangle", "origin": [0, 150, 0], "rotation": "=ROW.rotation" } ],
       "relations": [{ "name": "ROW", "type": "line", "of": ["A", "B"] }] }"#;
     assert_eq!(errors(turned), ["set-up-unsupported cycles[2].rotation"]);
-    let own = GROWN.replace("\"linuxcnc\"", "\"sinumerik\", \"form\": \"cycle\"");
+    let own = GROWN.replace("\"linuxcnc\"", "\"okuma\", \"form\": \"cycle\"");
     assert!(
         errors(&own).contains(&"set-up-unsupported cycles[1].width".to_owned()),
         "{:?}",

@@ -84,6 +84,8 @@ struct State {
     waits: bool,
     /// Whether a motion may still be running when the next block is evaluated.
     ahead: bool,
+    /// Number of native cycles made.
+    natives: usize,
 }
 
 impl State {
@@ -105,6 +107,7 @@ impl State {
             warned,
             ahead,
             waits,
+            natives,
         } = self;
         stack.clone_from(&other.stack);
         origins.clone_from(&other.origins);
@@ -118,7 +121,7 @@ impl State {
         (*contact, *deflected, *feed, *modes) =
             (other.contact, other.deflected, other.feed, other.modes);
         (*reading, *warned, *ahead) = (other.reading, other.warned, other.ahead);
-        *waits = other.waits;
+        (*waits, *natives) = (other.waits, other.natives);
     }
 }
 
@@ -320,6 +323,53 @@ pub fn until_alarm(
         }
     }
     None
+}
+
+/// State of a program of native cycles that stops.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CallsState {
+    /// Whether an alarm stopped it.
+    pub alarm: bool,
+    /// Whether it has written a work offset or a tool.
+    pub writes: bool,
+    /// Number of calls and of motions after the last one.
+    pub calls: usize,
+    pub motions: usize,
+    /// Value of a variable.
+    pub value: f64,
+}
+
+/// Runs a program of native cycles to its alarm or its end. Nothing is in the way.
+pub fn after_calls(script: &Script<'_>, run: Run, slot: Slot) -> CallsState {
+    let mut machine = Machine::new(script, run);
+    let (mut trace, mut scratch) = (Trace::default(), State::default());
+    let mut stopped = CallsState::default();
+    while let Some(block) = script.blocks.get(machine.state.pc) {
+        let line = machine.line(block.line);
+        if matches!(block.kind, BlockKind::Words(_)) {
+            machine.spend(MOTION + script.slots / 8);
+        }
+        match machine.step() {
+            Ok(BlockEffect::Next | BlockEffect::Pause | BlockEffect::Output(..)) => {}
+            Ok(BlockEffect::Wrote(..)) => stopped.writes = true,
+            Ok(BlockEffect::Native) => (stopped.calls, stopped.motions) = (stopped.calls + 1, 0),
+            Ok(BlockEffect::Moved(words, motion)) => {
+                let free = &mut |_: &Step| ProbeOutcome::Nothing;
+                let moved = machine.moved(line, words, motion, &mut trace, free, &mut scratch);
+                if moved.is_err() {
+                    break;
+                }
+                stopped.motions += 1;
+            }
+            Ok(BlockEffect::Alarm) => {
+                stopped.alarm = true;
+                break;
+            }
+            Ok(BlockEffect::End) | Err(_) => break,
+        }
+    }
+    stopped.value = machine.slots.get(slot as usize);
+    stopped
 }
 
 fn stops() -> Text {
@@ -551,7 +601,20 @@ impl<'s, 't> Machine<'s, 't> {
             }
             BlockKind::Alarm => return Ok(BlockEffect::Alarm),
             BlockKind::Warned => self.state.warned = true,
-            BlockKind::Native => return Ok(BlockEffect::Native),
+            BlockKind::Native => {
+                let script = self.script;
+                for (slot, value) in script
+                    .measured
+                    .get(self.state.natives)
+                    .into_iter()
+                    .flatten()
+                {
+                    self.spend(WRITE);
+                    self.slots.set(*slot as usize, *value);
+                }
+                self.state.natives += 1;
+                return Ok(BlockEffect::Native);
+            }
             BlockKind::End if self.state.warned => return Ok(BlockEffect::Alarm),
             BlockKind::End => return Ok(BlockEffect::End),
         }
