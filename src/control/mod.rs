@@ -18,6 +18,7 @@ pub mod native_run;
 mod number;
 mod offsets;
 pub mod prove;
+mod prove_calls;
 mod prove_corrections;
 pub mod release;
 pub mod renishaw;

@@ -4,13 +4,10 @@ use crate::control::iso::machine::{self, ProbeOutcome, ResultCheckpoint, Run};
 use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace, WrittenValue};
-use crate::control::{ProgramForm, Request, prove_corrections};
+use crate::control::{ProgramForm, Request, prove_calls, prove_corrections};
 use crate::formula::{CheckKind, Dual, Formula, Node, ResultCheck, Role, Variable};
 use crate::geom::Vec3;
-use crate::path::{
-    Arc, CallBlock, Dependency, LINK_STEP, Move, MovePurpose, Path, ShiftTerm, Shifts, Stored,
-    Touch,
-};
+use crate::path::{Arc, Dependency, LINK_STEP, Move, MovePurpose, Path, ShiftTerm, Shifts, Touch};
 use crate::text::{Text, text, words};
 
 /// Result of a proof. Only [`prove`] creates one.
@@ -106,7 +103,9 @@ impl Followed<'_> {
     ) -> bool {
         let path = request.path;
         if request.form == ProgramForm::Cycle {
-            return self.stops_after_calls(request, member, (result, off));
+            let traced = (&self.script, self.run_start, &self.trace);
+            let near = |at: Place, place: Vec3| self.expected.near(at, self.expected.place(place));
+            return prove_calls::stops_before(request, traced, &near, (member, result, off));
         }
         let follow = path.cycles[member]
             .placing
@@ -160,114 +159,6 @@ impl Followed<'_> {
     }
 }
 
-impl Followed<'_> {
-    /// The same for a program of native cycles: the outputs of its calls are changed until the result deviates by `off`.
-    fn stops_after_calls(
-        &self,
-        request: &Request<'_>,
-        member: usize,
-        (result, off): (usize, f64),
-    ) -> bool {
-        /// A value of a relation is not linear in its operands.
-        const ROUNDS: usize = 8;
-        let path = request.path;
-        let (Some(calls), Some(own)) = (&path.calls, request.post.own) else {
-            return false;
-        };
-        let def = &path.formula.results[result];
-        let unit = if def.role.is_angle() {
-            1.0
-        } else {
-            request.scale
-        };
-        let (nominal, off) = (def.nominal / unit, off / unit);
-        let stored = def
-            .variable
-            .and_then(|variable| calls.stored_value(variable.index()));
-        let Some(slot) = stored.and_then(|stored| self.script.find((own.name)(stored).as_bytes()))
-        else {
-            return false;
-        };
-        let mut script = self.script.clone();
-        let mut run = |call: usize, output: usize, by: f64| {
-            let before = script.measured[call][output].1;
-            script.measured[call][output].1 += by;
-            let stop = machine::after_calls(&script, self.run_start, slot);
-            script.measured[call][output].1 = before;
-            stop
-        };
-        let calls = calls_before(path, member);
-        let motions = self.motions_to_stand(path, member, calls);
-        let mut asked = false;
-        for call in 0..calls {
-            for output in 0..self.script.measured[call].len() {
-                let slope = run(call, output, 1e-3 * off).value - nominal;
-                let each = slope / (1e-3 * off);
-                if !(each.abs() > 1e-6) {
-                    continue;
-                }
-                let mut by = off / each;
-                for _ in 0..ROUNDS {
-                    let reached = run(call, output, by).value - nominal;
-                    if !reached.is_finite() || (reached - off).abs() < 1e-9 {
-                        break;
-                    }
-                    by *= off / reached;
-                }
-                let stop = run(call, output, by);
-                let reached = (stop.value - nominal - off).abs() <= 0.01 * off.abs();
-                if !reached {
-                    continue;
-                }
-                asked = true;
-                let in_time = stop.calls < calls || stop.calls == calls && stop.motions <= motions;
-                if !(stop.alarm && !stop.writes && in_time) {
-                    return false;
-                }
-            }
-        }
-        asked
-    }
-}
-
-impl Followed<'_> {
-    /// Number of motions after this many calls, up to the position at which the cycle before a member ends.
-    fn motions_to_stand(&self, path: &Path, member: usize, calls: usize) -> usize {
-        let made = path.cycles[member].moves.start;
-        let moves = path.moves[..made].iter().rev();
-        let Some(last) = moves.skip_while(|step| step.step == LINK_STEP).next() else {
-            return 0;
-        };
-        let stands = self.expected.place(last.to);
-        let after = calls
-            .checked_sub(1)
-            .and_then(|call| self.trace.natives.get(call));
-        let steps = self
-            .trace
-            .steps
-            .iter()
-            .filter(|step| Some(&step.line) > after);
-        // The last of the motions there may have no length.
-        let mut there = false;
-        let motions = steps.take_while(|step| {
-            let near = self.expected.near(step.to, stands);
-            let leaves = there && !near;
-            there |= near;
-            !leaves
-        });
-        motions.count()
-    }
-}
-
-/// Number of calls before a member.
-fn calls_before(path: &Path, member: usize) -> usize {
-    let members = path.cycles[..member].iter();
-    let blocks = members.flat_map(|own| own.path.calls.iter().flat_map(|own| &own.blocks));
-    blocks
-        .filter(|(block, _)| matches!(block, CallBlock::Cycle(..)))
-        .count()
-}
-
 /// The part on which a program is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
@@ -317,7 +208,7 @@ pub fn read_and_trace<'t>(
             1.0,
         );
     }
-    script.measured = measured(request, &script);
+    script.measured = prove_calls::measured(request, &script);
     // The results of native cycles are nominal, and so are the positions that follow them.
     let follows = request.form == ProgramForm::Moves && !request.path.shifts.is_empty();
     let triggered = if follows {
@@ -417,54 +308,6 @@ pub fn read_and_trace<'t>(
         expected,
         triggered,
     })
-}
-
-/// Results of the native cycles on the nominal part, by the calls of a program, in its units.
-fn measured(request: &Request<'_>, script: &Script<'_>) -> Vec<Vec<(Slot, f64)>> {
-    let (path, own) = (request.path, request.post.own);
-    let (Some(calls), Some(own)) = (&path.calls, own) else {
-        return Vec::new();
-    };
-    let mut all: Vec<Vec<(Slot, f64)>> = Vec::new();
-    // Outputs of the last call, each with its variable if it is saved.
-    let mut outputs: Vec<Vec<(Stored, Stored)>> = Vec::new();
-    for (block, _) in &calls.blocks {
-        match block {
-            CallBlock::Cycle(..) => outputs.push(Vec::new()),
-            CallBlock::SaveResult(variable, entry) => {
-                let saved = (Stored::Kept(*variable), Stored::Output(*entry));
-                outputs
-                    .last_mut()
-                    .into_iter()
-                    .for_each(|own| own.push(saved));
-            }
-            _ => {}
-        }
-    }
-    let kept = path.kept();
-    let last = outputs.len();
-    for (call, saved) in outputs.iter().enumerate() {
-        let given = kept.iter().filter_map(|(result, stored)| {
-            let def = &path.formula.results[*result];
-            let unit = if def.role.is_angle() {
-                1.0
-            } else {
-                request.scale
-            };
-            let output = match stored {
-                Stored::Output(_) if call + 1 == last => Some(*stored),
-                Stored::Output(_) => None,
-                Stored::Kept(_) => saved
-                    .iter()
-                    .find(|(kept, _)| kept == stored)
-                    .map(|(_, output)| *output),
-            }?;
-            let slot = script.find((own.name)(output).as_bytes())?;
-            Some((slot, def.nominal / unit))
-        });
-        all.push(given.collect());
-    }
-    all
 }
 
 /// Proves that a traced program makes the path of the request. `lines`: line of each move, as reported by the writer.

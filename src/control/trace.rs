@@ -39,6 +39,14 @@ impl Trace {
             .map(|step| step.line)
     }
 
+    /// Motions after this many native cycles.
+    pub fn after_native(&self, count: usize) -> impl Iterator<Item = &Step> {
+        let line = count.checked_sub(1).and_then(|last| self.natives.get(last));
+        self.steps
+            .iter()
+            .filter(move |step| line.is_none_or(|line| step.line > *line))
+    }
+
     /// Records what a block writes.
     pub fn wrote(&mut self, line: usize, written: Written) {
         let after = self.steps.len();
