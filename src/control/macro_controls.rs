@@ -78,6 +78,12 @@ pub(super) static OKUMA: PostDef = PostDef {
     // Numbers that PS accepts.
     work_offsets: 100,
     work_offset_word: |n| format!("G15 H{n}"),
+    supports: |subject, form| match (subject, form) {
+        (FeatureKind::Wall, ProgramForm::Cycle) => Err(words!(
+            "two single touches give the angle of a wall, and no source shows how this control computes beside these calls"
+        )),
+        _ => supports(subject, form),
+    },
     check: |request, checker| checked(request, &OKUMA_CALLS, checker),
     emit: |request| post::emit(request, &OKUMA_CALLS),
     own: Some(&OKUMA_OWN),
@@ -162,9 +168,6 @@ fn supports(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str>
     match (subject, form) {
         (_, ProgramForm::Moves) => Err(words!(
             "no source documents how the control answers a program that reads modes, tool length and contacts"
-        )),
-        (FeatureKind::Wall, ProgramForm::Cycle) => Err(words!(
-            "the macro for the angle of a wall, 9843, is read and drawn, and not written"
         )),
         (FeatureKind::Action, ProgramForm::Cycle) => {
             Err(words!("a line for the control is not a cycle"))

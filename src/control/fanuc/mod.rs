@@ -206,9 +206,6 @@ const CHANGES: usize = 3;
 fn serves(subject: FeatureKind, form: ProgramForm) -> Result<(), &'static str> {
     match (subject, form) {
         (_, ProgramForm::Moves) => Ok(()),
-        (FeatureKind::Wall, ProgramForm::Cycle) => Err(
-            "the macro for the angle of a wall, 9843, is read and drawn, and not written: use moves",
-        ),
         (FeatureKind::Action, ProgramForm::Cycle) => {
             Err("a line for the control is not a cycle: the moves form states the modes and ends")
         }

@@ -459,7 +459,7 @@ impl Plan<'_> {
         let path = self.request.path;
         if self.row().is_some() {
             let message = text!(
-                "This feature is measured by single touches, which write no preset: leave the work offset empty"
+                "This feature is measured by single touches, which write nothing: leave the work offset empty"
             );
             let field = "control.workOffset";
             return Err(native_run::refused(

@@ -7,7 +7,7 @@ use crate::control::native_run::machine::{Alarm, Machine};
 use crate::control::native_run::{
     ContactQuery, CycleLinking, NativeRequest, NativeRun, Rejections, degrees_of, refused,
 };
-use crate::formula::{Draft, Formula, OffsetCorrection, Role};
+use crate::formula::{Draft, Formula, OffsetCorrection, Role, SingleTouch};
 use crate::geom::{Plane, Vec3};
 use crate::path::{
     Bore, CallBlock, CallSequence, Corner, Feature, Feed, Feeds, FieldValue, Guard, Off, Pairs,
@@ -40,7 +40,8 @@ pub fn plan_calls(
         Feature::Pairs(pairs) => program.pairs(pairs)?,
         Feature::Corner(corner) => program.corner(corner)?,
         Feature::TwoCircles(circles) => program.two_circles(circles)?,
-        Feature::Unmoving | Feature::Wall(_) | Feature::Several => return program.switch(),
+        Feature::Wall(_) => return program.wall(meets),
+        Feature::Unmoving | Feature::Several => return program.switch(),
     }
     program.finish(meets)
 }
@@ -393,6 +394,59 @@ impl<'a> CallPlan<'a> {
         }
         self.up();
         Ok(())
+    }
+
+    /// The angle of a wall: each touch by P9811, and the angle by the formula over the measured coordinates.
+    fn wall(mut self, meets: ContactQuery<'_>) -> Result<Path, Rejections> {
+        let path = self.request.path;
+        if self.request.work_offset.is_some() {
+            let message = text!(
+                "This feature is measured by single touches, which write nothing: leave the work offset empty"
+            );
+            let field = "control.workOffset";
+            return Err(refused("work-offset-unsupported", field, message));
+        }
+        let q = self.q()?;
+        let (mut touches, mut measured) = (Vec::new(), Vec::new());
+        for (k, from, _) in path.searches() {
+            let touch = &path.touches[k];
+            let Some(axis) = axis_of(touch.vector) else {
+                let message = text!(
+                    "P9811 touches along X and Y: this wall is turned{advice}",
+                    self.request.advice()
+                );
+                return Err(refused("cycle-not-parallel", "cycle.rotation", message));
+            };
+            let from = from.unwrap_or(self.first);
+            self.goes(from, &[0, 1], Feed::LongLink);
+            if measured.is_empty() {
+                self.down(from, from);
+            }
+            let mut letters = vec![
+                (['X', 'Y'][axis], Quantity::Length(touch.point[axis])),
+                ('Q', q),
+            ];
+            if self.request.report == ResultOutput::Log {
+                letters.push(('W', Quantity::Plain(1.0)));
+            }
+            self.blocks.push(CallBlock::Call(9811, letters));
+            // The coordinate is a value of the formula, and no result.
+            let variable = FIRST_KEPT + measured.len();
+            self.blocks.push(CallBlock::SaveResult(variable, axis));
+            measured.push((k, Stored::Kept(variable)));
+            touches.push(SingleTouch {
+                axis,
+                center: touch.contact(self.radius),
+                ball: touch.vector[axis] * self.radius,
+            });
+        }
+        self.up();
+        let mut path = self.finish(meets)?;
+        path.formula = std::mem::take(&mut path.formula).over_single_touches(&touches);
+        if let Some(own) = &mut path.calls {
+            own.measured = measured;
+        }
+        Ok(path)
     }
 
     fn bore(&mut self, bore: &Bore) -> Result<(), Rejections> {

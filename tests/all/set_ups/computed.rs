@@ -825,6 +825,67 @@ fn a_tnc_measures_corners_by_single_touches() {
     assert!(seen >= 60, "{seen}");
 }
 
+/// The angle of a wall with Renishaw's macros: two calls of P9811, and ATAN in macro B. The wall by hand, as above, on each side of a part that is turned and shifted.
+#[test]
+fn macros_measure_the_angle_of_a_wall_by_single_touches() {
+    let mut seen = 0;
+    for post in computing().filter(|post| !["heidenhain", "sinumerik"].contains(&post.key)) {
+        for (rotation, normal) in [
+            (0, [1.0, 0.0]),
+            (90, [0.0, 1.0]),
+            (180, [-1.0, 0.0]),
+            (-90, [0.0, -1.0]),
+        ] {
+            for (degrees, [dx, dy]) in [(0.0, [0.0; 2]), (0.6, [0.4, -0.3]), (-0.8, [-0.5, 0.2])] {
+                let inch = seen % 2 == 1;
+                let unit = if inch { 25.4 } else { 1.0 };
+                let text = format!(
+                    r#"{{ "format": 1, "control": {{ "form": "cycle" }}, "cycle": {{ "type": "wall-angle", "origin": [10, 20, -5], "rotation": {rotation} }} }}"#
+                );
+                let job = on_part(&text, post.key, inch, [dx, dy, 0.0]);
+                let plan = planned(&with(&job, "part.rotation", Value::Number(degrees)));
+                let (s, c) = f64::to_radians(degrees).sin_cos();
+                let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
+                let ([nx, ny], [x, y]) = (turned(normal), turned([10.0, 20.0]));
+                let face = Face::Wall([nx, ny], nx * (x + dx) + ny * (y + dy));
+                let ran = run_macros(&plan.program.text, post.key, unit, &[face]);
+                let what = format!("{} {rotation} {degrees} inch {inch}", post.key);
+                same(&ran.contacts, &of_run(&plan, unit), &what);
+                let row = plan.results.iter().find(|row| row.unit == "deg").unwrap();
+                let held = ran.variables[row.stored.as_ref().unwrap()];
+                near(held, row.value.unwrap(), 1e-3, &what);
+                near(held, row.truth.unwrap(), 4e-3, &what);
+                let back = crate::common::import(&plan.program.text).unwrap();
+                assert_eq!(planned(&back.job).program.text, plan.program.text);
+                seen += 1;
+            }
+        }
+        let text = r#"{ "format": 1, "control": { "form": "cycle" CONTROL }, "cycle": { "type": "wall-angle" TURN } }"#;
+        for (control, turn, wanted) in [
+            (
+                r#", "workOffset": 1"#,
+                "",
+                "work-offset-unsupported control.workOffset",
+            ),
+            (
+                "",
+                r#", "rotation": 20"#,
+                "cycle-not-parallel cycle.rotation",
+            ),
+        ] {
+            let text = text.replace("CONTROL", control).replace("TURN", turn);
+            let error = plan(&on_part(&text, post.key, false, [0.0; 3])).unwrap_err();
+            let error = error
+                .findings
+                .iter()
+                .find(|f| f.level == touchpath::form::Level::Error);
+            let error = error.unwrap();
+            assert_eq!(format!("{} {}", error.code, error.path), wanted);
+        }
+    }
+    assert!(seen >= 60, "{seen}");
+}
+
 /// A bore that follows a corner of single touches, and the line between both.
 #[test]
 fn a_bore_of_a_tnc_follows_a_corner() {
