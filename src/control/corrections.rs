@@ -132,9 +132,14 @@ impl Request<'_> {
 
     /// Tools that the program itself corrects.
     pub fn corrections(&self) -> Vec<ToolCorrection> {
-        let Some(table) = self.post.tools.filter(|_| self.corrects_tools()) else {
-            return Vec::new();
-        };
+        match self.post.tools.filter(|_| self.corrects_tools()) {
+            Some(table) => self.corrections_of(table),
+            None => Vec::new(),
+        }
+    }
+
+    #[inline(never)]
+    fn corrections_of(&self, table: &ToolTable) -> Vec<ToolCorrection> {
         let settings = (table, self.tool_offsets, &self.limits);
         let results = self.path.formula.results.iter().enumerate();
         results
@@ -147,6 +152,7 @@ impl Request<'_> {
 pub type CorrectionSettings<'a> = (&'a ToolTable, ToolOffsets, &'a Limits);
 
 /// Correction of a tool by a result, if it has one.
+#[inline(never)]
 pub fn correction(
     (table, offsets, limits): CorrectionSettings<'_>,
     (result, def): (usize, &ResultDef),
@@ -202,6 +208,7 @@ pub(super) struct Blocks<'a> {
 impl Blocks<'_> {
     /// Blocks that give three variables the new number and sum of the errors, and the change of the register. `off` is the error of the result. If the kept values
     /// are none that the program stores, it continues at `other`.
+    #[inline(never)]
     pub fn lines(
         &mut self,
         correction: &ToolCorrection,

@@ -3,16 +3,26 @@
 use crate::control::Request;
 use crate::control::iso::machine::{self, CallsState, Run};
 use crate::control::iso::script::{Script, Slot};
+use crate::control::native_run::NativeCycles;
 use crate::control::trace::{Place, Step, Trace};
 use crate::geom::Vec3;
-use crate::path::{CallBlock, LINK_STEP, Path, Stored};
+use crate::path::{CallBlock, CallSequence, LINK_STEP, Path, Stored};
 
 /// Results of the native cycles on the nominal part, by the calls of a program, in its units.
 pub fn measured(request: &Request<'_>, script: &Script<'_>) -> Vec<Vec<(Slot, f64)>> {
-    let (path, own) = (request.path, request.post.own);
-    let (Some(calls), Some(own)) = (&path.calls, own) else {
-        return Vec::new();
-    };
+    match (&request.path.calls, request.post.own) {
+        (Some(calls), Some(own)) => measured_by(request, script, (calls, own)),
+        _ => Vec::new(),
+    }
+}
+
+#[inline(never)]
+fn measured_by(
+    request: &Request<'_>,
+    script: &Script<'_>,
+    (calls, own): (&CallSequence, &NativeCycles),
+) -> Vec<Vec<(Slot, f64)>> {
+    let path = request.path;
     // For each call the variables in which its outputs are saved.
     let mut saved: Vec<Vec<(Stored, Stored)>> = Vec::new();
     for (block, _) in &calls.blocks {
@@ -59,6 +69,7 @@ fn unit(request: &Request<'_>, result: usize) -> f64 {
 
 /// Whether a program stops without writing before it moves to a cycle of a set-up, if a result that the cycle follows deviates by `off`, mm or degrees. The
 /// outputs of the earlier calls are changed one after the other until the result deviates so far. `near` compares a position of the program with one of the path.
+#[inline(never)]
 pub fn stops_before(
     request: &Request<'_>,
     (script, run_start, trace): (&Script<'_>, Run, &Trace),

@@ -75,7 +75,8 @@ fn unit(request: &Request<'_>, def: &ResultDef) -> f64 {
     }
 }
 
-/// Checks one correction; `None` if it is another one.
+/// Checks one correction; `None` if it is another one. Most programs have none: their part of the module does not need it.
+#[inline(never)]
 fn correct(
     request: &Request<'_>,
     (script, run_start, tail): Traced<'_, '_>,

@@ -112,6 +112,7 @@ pub fn read(
 }
 
 /// Reports how a program of moves corrects each tool, if every part is like the virtual one.
+#[inline(never)]
 pub fn report_means(
     path: &Path,
     rows: &[ResultRow],

@@ -640,6 +640,7 @@ impl SkipWriter<'_> {
     }
 
     /// Computes the change of a tool.
+    #[inline(never)]
     fn compute(
         &mut self,
         w: &mut Writer<'_>,

@@ -292,6 +292,7 @@ impl Sinumerik<'_> {
     }
 
     /// Computes the change of a tool.
+    #[inline(never)]
     fn compute(
         &mut self,
         w: &mut Writer<'_>,
@@ -327,6 +328,7 @@ impl Sinumerik<'_> {
     }
 
     /// Computes what the native cycles so far give, and stops before cycle `m` if it follows a result that is beyond its limit.
+    #[inline(never)]
     fn compute_before(&mut self, w: &mut Writer<'_>, formula: &Formula, m: usize) {
         let Some(own) = &self.request.path.calls else {
             return;
