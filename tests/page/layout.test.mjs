@@ -7,7 +7,9 @@ import {
   focusedId,
   framed,
   open,
+  openText,
   page,
+  panel,
   problems,
   put,
   SIZES,
@@ -645,4 +647,26 @@ test("from the gallery the focus went to another button than it had come from", 
   await page.keyboard.press("Escape");
   await page.keyboard.press("Escape");
   await settles(() => gallery.evaluate((button) => button.matches(":focus")));
+});
+
+test("a result that cannot deviate stood as a column over what follows the table: each result is a row", async () => {
+  await open({ viewport: { width: 768, height: 1024 } });
+  await openText(
+    JSON.stringify({ format: 1, cycle: { type: "hole" } }),
+    "job.json",
+  );
+  await panel("results");
+  const rows = page.locator("tp-results tbody tr[role=row]");
+  await settles(async () => (await rows.count()) === 4);
+  const tops = await rows.evaluateAll((rows) =>
+    rows.map(
+      (row) =>
+        new Set(
+          [...row.children].map((cell) =>
+            Math.round(cell.getBoundingClientRect().top),
+          ),
+        ).size,
+    ),
+  );
+  assert.deepEqual(tops, [1, 1, 1, 1]);
 });
