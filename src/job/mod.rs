@@ -8,6 +8,7 @@
 //! ```
 
 mod calls;
+mod corrections;
 mod cycles;
 mod datum;
 mod defaults;

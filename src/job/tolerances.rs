@@ -4,11 +4,12 @@ use crate::control::ProgramForm;
 use crate::form::{Checker, Section, Value, printable};
 use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
+use crate::job::corrections;
 use crate::job::planned::PlannedJob;
 use crate::job::sections::TOLERANCES;
-use crate::job::wear::{self, WEAR};
+use crate::job::wear::WEAR;
 use crate::num::tidy;
-use crate::path::{Path, Touch};
+use crate::path::Path;
 use crate::text::{Text, text, words};
 use crate::tolerance;
 
@@ -216,7 +217,7 @@ fn one(
     }
     let limits = limits(checker, job, text, def, &path)?;
     let of = (own, path_of_job, given.index);
-    let wear = read_wear(checker, of, entry, related, at);
+    let wear = corrections::read(checker, of, entry, related, at);
     if wear.is_some() {
         check_middle(checker, limits, def, at);
         if own.form == ProgramForm::Cycle && own.limits.size.is_none() {
@@ -386,179 +387,6 @@ fn limits(
         checker.warning("tolerance-elsewhere", path, message);
     }
     Some(limits)
-}
-
-/// Tool that a tolerance corrects, checked; `None` without one, or with an error. `own` is the job of the cycle that measures the result.
-fn read_wear(
-    checker: &mut Checker,
-    (own, path, index): (&Job, &Path, usize),
-    given: &Value,
-    related: bool,
-    at: &str,
-) -> Option<Wear> {
-    let def = &path.formula.results[index];
-    let (found, findings) = wear::read(given, at, (own.scale, own.unit));
-    findings
-        .into_iter()
-        .for_each(|finding| checker.adopt(finding));
-    let (found, at) = (found?, format!("{at}.wear"));
-    if own.form == ProgramForm::Moves {
-        return by_moves(checker, (own, path, index), found, related, &at);
-    }
-    let why = if !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
-        Some(text!(
-            "no source shows that the native cycles of {control} do that as the job says",
-            own.post.title.to_owned()
-        ))
-    } else if related {
-        Some(text!(
-            "the macros correct a tool only from their own measurement"
-        ))
-    } else if def.role != Role::Size || path.feature.two_circles().is_some() {
-        Some(text!("the macros correct a tool by a width or a diameter"))
-    } else if own.work_offset.is_some() {
-        Some(text!(
-            "its macro writes the work offset: no source shows that it does both in one call"
-        ))
-    } else {
-        None
-    };
-    if let Some(why) = why {
-        checker.error(
-            "wear-unsupported",
-            at,
-            text!("No tool can be corrected by this result: {why}", why),
-        );
-        return None;
-    }
-    Some(found)
-}
-
-/// Whether a result is a height of the part, touched along the tool axis.
-fn is_height(own: &Job, path: &Path, index: usize) -> bool {
-    let def = &path.formula.results[index];
-    let tool = own.setup.plane.axes()[2];
-    let member = path.sources(index).first().map(|m| &path.cycles[*m]);
-    let touches = member.map_or(&path.touches[..], |own| &path.touches[own.touches.clone()]);
-    let along = |touch: &Touch| touch.vector[tool].abs() > 1.0 - 1e-9;
-    match def.role {
-        Role::Level => true,
-        Role::Reading => {
-            // z in a code is the tool axis.
-            def.code.rsplit('.').next() == Some("z") && touches.iter().all(along)
-        }
-        _ => false,
-    }
-}
-
-/// Checks that a program of moves can correct a tool by this result.
-fn by_moves(
-    checker: &mut Checker,
-    (own, path, index): (&Job, &Path, usize),
-    found: Wear,
-    related: bool,
-    at: &str,
-) -> Option<Wear> {
-    let def = &path.formula.results[index];
-    let Some(table) = own.post.tools else {
-        let message = text!(
-            "No tool can be corrected by this result: {why}",
-            text!(
-                "no source shows how a program of {control} changes the offset of another tool than the probe",
-                own.post.title.to_owned()
-            )
-        );
-        checker.error("wear-unsupported", at, message);
-        return None;
-    };
-    let height = is_height(own, path, index);
-    let written = path.formula.datum.as_ref().is_some_and(|datum| {
-        let level = datum.place[2].as_ref();
-        own.work_offset.is_some()
-            && level.is_some_and(|place| place.measured.is_some() && place.measured == def.variable)
-    });
-    let sense = own.def.probes.tool_sense();
-    let why = if related {
-        Some(text!(
-            "a relation does not tell on which side the tool has cut"
-        ))
-    } else if written {
-        Some(text!("the program writes this height into the work offset"))
-    } else if !height && (def.role != Role::Size || sense.is_none()) {
-        Some(text!(
-            "a program of moves corrects a tool by a width, a diameter or a height"
-        ))
-    } else {
-        None
-    };
-    if let Some(why) = why {
-        checker.error(
-            "wear-unsupported",
-            at,
-            text!("No tool can be corrected by this result: {why}", why),
-        );
-        return None;
-    }
-    let mut good = true;
-    let mut missing = |path: String, message: Text| {
-        checker.error("missing", path, message);
-        good = false;
-    };
-    match (table.tables)(own.tool_offsets) {
-        None => missing(
-            "control.toolOffsets".to_owned(),
-            text!(
-                "State what the tool offsets of the control hold: the program changes them by radius or by diameter"
-            ),
-        ),
-        Some([.., last]) if found.tool > last => {
-            let message = text!("This control has tool offsets up to {last}", last);
-            missing(format!("{at}.tool"), message);
-        }
-        Some(_) => {}
-    }
-    let (first, last) = table.keeps;
-    match found.mean {
-        None => missing(
-            format!("{at}.parts"),
-            text!(
-                "A program of moves corrects a tool by the mean of several parts, never by the first one: enter their number, and in store the first of two variables that keep the values, {first} to {last}",
-                (table.kept)(first),
-                (table.kept)(last)
-            ),
-        ),
-        Some((_, store)) if !(first..=last).contains(&store) => missing(
-            format!("{at}.store"),
-            text!(
-                "The variables that keep the values are {first} to {last} on this control",
-                (table.kept)(first),
-                (table.kept)(last)
-            ),
-        ),
-        Some(_) => {}
-    }
-    let (limit, key, label) = match height {
-        true => (own.limits.position, "limits.position", "Position limit"),
-        false => (own.limits.size, "limits.size", "Size limit"),
-    };
-    if limit.is_none() {
-        missing(
-            key.to_owned(),
-            text!(
-                "A program of moves corrects a tool only within a limit, so that a chip or a wrong part does not count: enter \"{limit}\"",
-                Text::words(label)
-            ),
-        );
-    }
-    let sense = match height {
-        true => -1.0,
-        false => sense.unwrap_or(0.0),
-    };
-    good.then_some(Wear {
-        sense,
-        length: height,
-        ..found
-    })
 }
 
 /// Reports an unsymmetrical tolerance for wear: a tool is corrected towards the nominal size, not towards the middle of the tolerance.
