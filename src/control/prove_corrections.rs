@@ -82,88 +82,128 @@ fn correct(
     (script, run_start, tail): Traced<'_, '_>,
     correction: &ToolCorrection,
 ) -> Option<()> {
-    let formula = &request.path.formula;
+    let [count, sum] = kept(script, correction)?;
+    let mut values = good_values(request, script);
+    for other in request.corrections() {
+        values.extend(kept(script, &other)?.map(|slot| (slot, 0.0)));
+    }
+    let own = slot_of(request, script, correction.check.result)?;
+    let [low, high] = range(request, correction.check.result);
+    let nominal = correction.check.expected / request.scale;
     let mut tail = tail.ending(script, run_start)?;
-    let [kept, kept_sum] = correction
-        .kept
-        .each_ref()
-        .map(|name| script.find(name.as_bytes()));
-    let (kept, kept_sum) = (kept?, kept_sum?);
-    let slot_of = |def: &ResultDef| {
-        let code = formula.code(def);
-        let mut outputs = script.outputs();
-        outputs
-            .find(|(own, _)| own.eq_ignore_ascii_case(&code))
-            .map(|(_, slot)| slot)
+    let mut run = |error: f64, before: [f64; 2]| {
+        let mut values = values.clone();
+        values.extend([(own, nominal + error), (count, before[0]), (sum, before[1])]);
+        tail.corrected(&values, correction.part(), [count, sum])
     };
-    // The other results are good, and their tools are not due.
-    let mut values: Vec<(Slot, f64)> = Vec::new();
-    for (result, def) in formula.results.iter().enumerate() {
-        let Some(slot) = slot_of(def) else { continue };
+    let expected = ExpectedCorrection::of(request, correction);
+    for before in expected.tried() {
+        for place in PLACES {
+            let error = low + (high - low) * place - nominal;
+            let Some(wanted) = expected.after(error, before) else {
+                continue;
+            };
+            let (change, kept) = run(error, before)?;
+            expected.agrees(wanted, (change, kept)).then_some(())?;
+        }
+    }
+    let middle = f64::midpoint(low, high) - nominal;
+    let stops = |kept: [f64; 2]| run(middle, kept).is_none();
+    expected.foreign().into_iter().all(stops).then_some(())
+}
+
+/// Variables that keep number and sum of the errors.
+fn kept(script: &Script<'_>, correction: &ToolCorrection) -> Option<[Slot; 2]> {
+    let [count, sum] = &correction.kept;
+    Some([script.find(count.as_bytes())?, script.find(sum.as_bytes())?])
+}
+
+/// Variable of a result.
+fn slot_of(request: &Request<'_>, script: &Script<'_>, result: usize) -> Option<Slot> {
+    let formula = &request.path.formula;
+    let code = formula.code(&formula.results[result]);
+    let mut outputs = script.outputs();
+    outputs
+        .find(|(own, _)| own.eq_ignore_ascii_case(&code))
+        .map(|(_, slot)| slot)
+}
+
+/// Values with which no result stops the program.
+fn good_values(request: &Request<'_>, script: &Script<'_>) -> Vec<(Slot, f64)> {
+    let results = request.path.formula.results.iter().enumerate();
+    let good = |(result, def): (usize, &ResultDef)| {
         let [low, high] = range(request, result);
         let stops = def
             .tolerance
             .is_some_and(|own| own.action == ToleranceAction::Stop);
-        let good = match stops {
+        let value = match stops {
             true => f64::midpoint(low, high),
             false => def.nominal / unit(request, def),
         };
-        values.push((slot, good));
-    }
-    for other in request.corrections() {
-        let [count, sum] = other
-            .kept
-            .each_ref()
-            .map(|name| script.find(name.as_bytes()));
-        values.extend([(count?, 0.0), (sum?, 0.0)]);
-    }
-    let own = slot_of(&formula.results[correction.check.result])?;
-    let nominal = correction.check.expected / request.scale;
-    let limit = correction.check.limit / request.scale;
-    let band = correction.wear.dead_band / request.scale;
-    let parts = f64::from(correction.parts);
-    let [low, high] = range(request, correction.check.result);
-    let mut run = |error: f64, [count, sum]: [f64; 2]| {
-        let mut values = values.clone();
-        values.extend([(own, nominal + error), (kept, count), (kept_sum, sum)]);
-        tail.corrected(&values, correction.part(), [kept, kept_sum])
+        Some((slot_of(request, script, result)?, value))
     };
-    // The nominal value and the limits are rounded to the digits of a constant.
-    let exact = EXACT + 2.0 * request.post.constant_error * nominal.abs();
-    let near = |a: f64, b: f64| (a - b).abs() <= exact * (1.0 + b.abs());
-    for before in [0.0, (parts - 2.0).max(0.0), parts - 1.0] {
-        for (place, share) in PLACES.iter().flat_map(|place| SUMS.map(|sum| (place, sum))) {
-            let error = low + (high - low) * place - nominal;
-            let sum = before * limit * share;
-            let mean = (sum + error) / parts;
-            let due = before + 1.0 >= parts;
-            if due && (mean.abs() - band).abs() < exact {
-                continue;
-            }
-            let (change, [count, rest]) = run(error, [before, sum])?;
-            let wanted = match due && mean.abs() > band {
-                true => mean * correction.factor,
-                false => 0.0,
-            };
-            let stored = match due {
-                true => [0.0, 0.0],
-                false => [before + 1.0, sum + error],
-            };
-            let right = near(change, wanted) && near(count, stored[0]) && near(rest, stored[1]);
-            right.then_some(())?;
+    results.filter_map(good).collect()
+}
+
+/// What a correction gives, in units of the program.
+struct ExpectedCorrection {
+    limit: f64,
+    band: f64,
+    parts: f64,
+    factor: f64,
+    /// Largest error of a value: the nominal value and the limits are rounded to the digits of a constant.
+    exact: f64,
+}
+
+impl ExpectedCorrection {
+    fn of(request: &Request<'_>, correction: &ToolCorrection) -> Self {
+        let nominal = correction.check.expected / request.scale;
+        ExpectedCorrection {
+            limit: correction.check.limit / request.scale,
+            band: correction.wear.dead_band / request.scale,
+            parts: f64::from(correction.parts),
+            factor: correction.factor,
+            exact: EXACT + 2.0 * request.post.constant_error * nominal.abs(),
         }
     }
-    // Values that the program does not store: it stops.
-    let others = [
-        [parts, 0.0],
-        [parts + 3.0, limit],
-        [0.0, 2.0 * limit],
-        [1.0, -1.1 * limit - 1.0],
-        [-1.0, 0.0],
-    ];
-    let middle = f64::midpoint(low, high) - nominal;
-    others
-        .iter()
-        .all(|kept| run(middle, *kept).is_none())
-        .then_some(())
+
+    /// Numbers and sums of the errors of earlier parts.
+    fn tried(&self) -> Vec<[f64; 2]> {
+        let counts = [0.0, (self.parts - 2.0).max(0.0), self.parts - 1.0];
+        let sums = |count: f64| SUMS.map(|share| [count, count * self.limit * share]);
+        counts.into_iter().flat_map(sums).collect()
+    }
+
+    /// Values that the program does not store.
+    fn foreign(&self) -> [[f64; 2]; 5] {
+        [
+            [self.parts, 0.0],
+            [self.parts + 3.0, self.limit],
+            [0.0, 2.0 * self.limit],
+            [1.0, -1.1 * self.limit - 1.0],
+            [-1.0, 0.0],
+        ]
+    }
+
+    /// Change of the register, and the kept values, after a part with this error; `None` where rounding decides.
+    fn after(&self, error: f64, [count, sum]: [f64; 2]) -> Option<(f64, [f64; 2])> {
+        if count + 1.0 < self.parts {
+            return Some((0.0, [count + 1.0, sum + error]));
+        }
+        let mean = (sum + error) / self.parts;
+        if (mean.abs() - self.band).abs() < self.exact {
+            return None;
+        }
+        let change = match mean.abs() > self.band {
+            true => mean * self.factor,
+            false => 0.0,
+        };
+        Some((change, [0.0, 0.0]))
+    }
+
+    fn agrees(&self, wanted: (f64, [f64; 2]), given: (f64, [f64; 2])) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= self.exact * (1.0 + b.abs());
+        let [count, sum] = [0, 1].map(|i| near(given.1[i], wanted.1[i]));
+        near(given.0, wanted.0) && count && sum
+    }
 }

@@ -13,7 +13,7 @@ use crate::control::shop::place;
 use crate::control::{
     FROM_THE_TOP, Program, Request, ResultOutput, number, orientation_line, write_summary,
 };
-use crate::formula::{CheckKind, Coordinate, Formula, ResultCheck};
+use crate::formula::{CheckKind, Coordinate, Formula, OffsetCorrection, ResultCheck};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, ShiftTerm, Touch};
@@ -492,33 +492,9 @@ impl Moves for SkipWriter<'_> {
         }
     }
 
-    /// Shifts the origin by measured minus nominal: a work offset has no rotation.
+    /// Shifts the origin by measured minus nominal: a work offset has no rotation. Tools are corrected behind the same check.
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, datum: Option<WrittenDatum<'_>>) {
-        let axes = self.request.plane.axes();
-        let mut changed = Vec::new();
-        if datum.is_some() {
-            w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
-        }
-        let places = datum.iter().flat_map(|(_, datum)| &datum.place);
-        for (i, place) in places.enumerate() {
-            let Some(Coordinate {
-                measured: Some(measured),
-                nominal,
-            }) = *place
-            else {
-                continue;
-            };
-            let value = print::variable(&Variables(self.registers), formula, measured);
-            let nominal = nominal / self.request.scale;
-            let nominal = match decimal(nominal, number::decimals(nominal)).as_str() {
-                "0" => String::new(),
-                text if text.starts_with('-') => format!("-[{text}]"),
-                text => format!("-{text}"),
-            };
-            let change = variable(self.change(i));
-            w.line(&format!("{change}={value}{nominal}"));
-            changed.push((axes[i], change));
-        }
+        let changed = datum.map_or_else(Vec::new, |(_, datum)| self.changes(w, formula, datum));
         let corrections = self.request.corrections();
         let incomplete = number::RESULTS.0 + self.implausible.len();
         for (i, correction) in corrections.iter().enumerate() {
@@ -637,6 +613,38 @@ impl SkipWriter<'_> {
         let unit = if check.angle { 1.0 } else { self.request.scale };
         let register = self.registers.checked(formula, check);
         number::deviation(&variable(register), check, unit)
+    }
+
+    /// Computes the changes of the origin. Returns each axis with its variable.
+    fn changes(
+        &self,
+        w: &mut Writer<'_>,
+        formula: &Formula,
+        datum: &OffsetCorrection,
+    ) -> Vec<(usize, String)> {
+        w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
+        let axes = self.request.plane.axes();
+        let mut changed = Vec::new();
+        for (i, place) in datum.place.iter().enumerate() {
+            let Some(Coordinate {
+                measured: Some(measured),
+                nominal,
+            }) = *place
+            else {
+                continue;
+            };
+            let value = print::variable(&Variables(self.registers), formula, measured);
+            let nominal = nominal / self.request.scale;
+            let nominal = match decimal(nominal, number::decimals(nominal)).as_str() {
+                "0" => String::new(),
+                text if text.starts_with('-') => format!("-[{text}]"),
+                text => format!("-{text}"),
+            };
+            let change = variable(self.change(i));
+            w.line(&format!("{change}={value}{nominal}"));
+            changed.push((axes[i], change));
+        }
+        changed
     }
 
     /// Computes the change of a tool.
