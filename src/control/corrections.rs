@@ -1,7 +1,6 @@
 //! Corrections of tools by a program of moves: after several parts the mean error of a size or a height changes the wear of a tool.
 //!
-//! Number and sum of the errors are in two variables that the control keeps. A part whose result is beyond its limit stops the program before anything is
-//! stored. Ours, and marked [I] in the docs: the sequence, the mean of at least two parts, the check of the two variables.
+//! Two variables of the control keep the number and the sum of the errors. A result beyond its limit stops the program before it stores anything. Ours, and marked [I] in the docs: the sequence, the mean of at least two parts, the check of the two variables.
 //!
 //! Sources: registers of Haas and SINUMERIK from posts and the macros' texts [S]; those of Fanuc from one site [S]. Signs as the macros have them [S].
 
@@ -77,6 +76,8 @@ pub struct ToolCorrection {
     pub name: String,
     /// Variables that keep number and sum of the errors.
     pub kept: [String; 2],
+    /// Number of the first of these variables.
+    pub store: i32,
     /// Number of parts in the mean.
     pub parts: i32,
     /// Change of the register for a mean error of 1.
@@ -86,11 +87,6 @@ pub struct ToolCorrection {
 }
 
 impl ToolCorrection {
-    /// Number of the first variable that keeps its values.
-    pub fn first_kept(&self) -> i32 {
-        self.wear.mean.map_or(0, |(_, store)| store)
-    }
-
     pub fn part(&self) -> Part {
         Part::Tool(self.register)
     }
@@ -180,6 +176,7 @@ pub fn correction(
         register,
         name: (table.register)(register),
         kept: [store, store + 1].map(table.kept),
+        store,
         parts,
         factor: wear.share * wear.sense * if by_diameter { 2.0 } else { 1.0 },
         about: match (height, by_diameter) {
@@ -206,8 +203,8 @@ pub(super) struct Blocks<'a> {
 }
 
 impl Blocks<'_> {
-    /// Blocks that give three variables the new number and sum of the errors, and the change of the register. `off` is the error of the result. If the kept values
-    /// are none that the program stores, it continues at `other`.
+    /// Blocks that give three variables the new number and sum of the errors, and the change of the register. `off` is the error of the result. If the program
+    /// cannot have stored the kept values, it continues at `other`.
     #[inline(never)]
     pub fn lines(
         &mut self,

@@ -37,7 +37,7 @@ use crate::control::iso::registers::{ComputeTiming, Registers};
 use crate::control::iso::script::{ReadError, Script};
 use crate::control::iso::writer::{Dialect, PLAIN};
 use crate::form::{Checker, PlacedLines, Value};
-use crate::formula::{Limits, OffsetCorrection, ResultCheck};
+use crate::formula::{Limits, OffsetCorrection, ResultCheck, ResultDef};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
 use crate::path::{FeatureKind, Feeds, Move, MovePurpose, Path, ProbeSettings, STATED_RAPID};
@@ -477,6 +477,14 @@ impl Request<'_> {
                 .datum
                 .as_ref()
                 .is_some_and(OffsetCorrection::writes)
+    }
+
+    /// Size of the unit in which the program holds a result: mm, or degrees.
+    pub fn unit_of(&self, result: &ResultDef) -> f64 {
+        match result.role.is_angle() {
+            true => 1.0,
+            false => self.scale,
+        }
     }
 
     /// Shortest move that must be watched, mm. A shorter one is not a probe move. Rounding may move both of its ends.

@@ -983,11 +983,7 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     let mut given = trace.outputs.iter();
     let residuals = of_residuals(&path.formula);
     for (result, value) in wanted {
-        let unit = if result.role.is_angle() {
-            1.0
-        } else {
-            expected.scale
-        };
+        let unit = request.unit_of(result);
         // A root mean square changes no more than its positions; at 0 its derivative would not show that.
         let off_by_roots = expected.size + CANCELLED * expected.far;
         let is_of_residuals = result.variable.is_some_and(|own| residuals[own.index()]);

@@ -57,14 +57,7 @@ fn measured_by(
 /// Nominal value of a result, in units of the program.
 fn nominal(request: &Request<'_>, result: usize) -> f64 {
     let def = &request.path.formula.results[result];
-    def.nominal / unit(request, result)
-}
-
-fn unit(request: &Request<'_>, result: usize) -> f64 {
-    match request.path.formula.results[result].role.is_angle() {
-        true => 1.0,
-        false => request.scale,
-    }
+    def.nominal / request.unit_of(def)
 }
 
 /// Whether a program stops without writing before it moves to a cycle of a set-up, if a result that the cycle follows deviates by `off`, mm or degrees. The
@@ -84,7 +77,10 @@ pub fn stops_before(
     let Some(slot) = slot_of(request, script, result) else {
         return false;
     };
-    let (wanted, off) = (nominal(request, result), off / unit(request, result));
+    let (wanted, off) = (
+        nominal(request, result),
+        off / request.unit_of(&path.formula.results[result]),
+    );
     let mut tried = script.clone();
     let mut run = |(call, output): (usize, usize), by: f64| -> CallsState {
         let before = tried.measured[call][output].1;

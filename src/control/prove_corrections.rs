@@ -57,7 +57,7 @@ pub fn corrections(
 /// Smallest and largest value of a result that does not stop the program, in its units.
 fn range(request: &Request<'_>, result: usize) -> [f64; 2] {
     let def = &request.path.formula.results[result];
-    let unit = unit(request, def);
+    let unit = request.unit_of(def);
     let mut range = [f64::NEG_INFINITY, f64::INFINITY];
     for check in request.questions() {
         if check.result == result && check.stops(true) {
@@ -66,13 +66,6 @@ fn range(request: &Request<'_>, result: usize) -> [f64; 2] {
         }
     }
     range
-}
-
-fn unit(request: &Request<'_>, def: &ResultDef) -> f64 {
-    match def.role.is_angle() {
-        true => 1.0,
-        false => request.scale,
-    }
 }
 
 /// Checks one correction; `None` if it is another one. Most programs have none: their part of the module does not need it.
@@ -138,7 +131,7 @@ fn good_values(request: &Request<'_>, script: &Script<'_>) -> Vec<(Slot, f64)> {
             .is_some_and(|own| own.action == ToleranceAction::Stop);
         let value = match stops {
             true => f64::midpoint(low, high),
-            false => def.nominal / unit(request, def),
+            false => def.nominal / request.unit_of(def),
         };
         Some((slot_of(request, script, result)?, value))
     };

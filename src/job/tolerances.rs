@@ -1,6 +1,7 @@
 //! Reads `tolerances` of a job: the tolerance of each result, with the action beyond it.
 
 use crate::control::ProgramForm;
+use crate::control::corrections::{ToolCorrection, correction};
 use crate::form::{Checker, Section, Value, printable};
 use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
@@ -47,6 +48,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut PlannedJob) {
         }
     }
     check_stores(checker, planned.job.form, &planned.path.formula, &all);
+    check_registers(checker, &planned.job, &planned.path.formula, &all);
 }
 
 /// Entries of `tolerances` for results of the job. Reports the others.
@@ -170,6 +172,32 @@ fn check_stores(checker: &mut Checker, form: ProgramForm, formula: &Formula, giv
                 format!("{TOLERANCES}.{}.wear.store", printable(key)),
                 message,
             );
+        }
+    }
+}
+
+/// Reports results that a program of moves would correct one register by: each would change it by its own error.
+fn check_registers(checker: &mut Checker, job: &Job, formula: &Formula, given: &[Given<'_>]) {
+    let Some(table) = job.post.tools.filter(|_| job.form == ProgramForm::Moves) else {
+        return;
+    };
+    let settings = (table, job.tool_offsets, &job.limits);
+    let corrected = |given: &Given<'_>| {
+        let own = correction(settings, (given.index, &formula.results[given.index]))?;
+        Some((own, given.key.to_owned()))
+    };
+    let all: Vec<(ToolCorrection, String)> = given.iter().filter_map(corrected).collect();
+    for (i, (own, key)) in all.iter().enumerate() {
+        let others = all[..i].iter().chain(&all[i + 1..]);
+        let mut others = others.filter(|(other, _)| other.register == own.register);
+        if let Some((_, other)) = others.next() {
+            let message = text!(
+                "{other} corrects the same register of tool {tool}: its changes would add up. Correct it by one result",
+                printable(other),
+                own.wear.tool
+            );
+            let at = format!("{TOLERANCES}.{}.wear.tool", printable(key));
+            checker.error("wear-unsupported", at, message);
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::own_cycles::{BALL, Face, PLACES, own, stopped};
-use crate::common::{number, point as list};
+use crate::common::{number, point as list, refused};
 use crate::tests::controls::{calling_macros, calling_macros_as_a_fanuc, without};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, plan};
@@ -662,16 +662,7 @@ fn each_block_has_its_parameters_in_their_order() {
 
 #[test]
 fn what_no_cycle_does_is_refused() {
-    let refused = |cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
-        let error = plan(&job(cycle, changes)).expect_err("refused");
-        let errors = error
-            .findings
-            .iter()
-            .filter(|finding| finding.level == Level::Error);
-        errors
-            .map(|finding| format!("{} {}", finding.code, finding.path))
-            .collect()
-    };
+    let refused = |cycle: &str, changes: &[(&str, Value)]| refused(&job(cycle, changes));
     let text = |word: &str| Value::Text(word.to_owned());
     assert_eq!(
         refused("web", &[("cycle.rotation", number(30.0))]),

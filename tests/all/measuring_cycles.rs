@@ -3,8 +3,8 @@
 
 use super::klartext_cycles::{contact, of_plan};
 use super::own_cycles::{BALL, Face, PLACES, own};
-use crate::common::{number, point as list};
-use touchpath::form::{Level, Value};
+use crate::common::{number, point as list, refused};
+use touchpath::form::Value;
 use touchpath::job::plan;
 
 /// Arguments of a call; omitted ones are NaN.
@@ -283,16 +283,7 @@ fn the_calls_are_those_of_a_generator() {
 
 #[test]
 fn what_no_cycle_does_is_refused() {
-    let refused = |cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
-        let error = plan(&job(cycle, changes)).expect_err("refused");
-        let errors = error
-            .findings
-            .iter()
-            .filter(|finding| finding.level == Level::Error);
-        errors
-            .map(|finding| format!("{} {}", finding.code, finding.path))
-            .collect()
-    };
+    let refused = |cycle: &str, changes: &[(&str, Value)]| refused(&job(cycle, changes));
     assert_eq!(
         refused("surface", &[("cycle.elevation", number(40.0))]),
         ["cycle-not-parallel cycle.elevation"]

@@ -1,6 +1,6 @@
 //! Tools that a macro corrects from its measurement: the letters of its call, refusals, and the header.
 
-use crate::common::{import, job, planned, with};
+use crate::common::{import, job, planned, refused, with};
 use crate::tests::controls::{calling, calling_macros_as_a_fanuc, correcting_tools, without};
 use touchpath::form::{Level, Value};
 use touchpath::job::{convert_units, plan};
@@ -11,18 +11,6 @@ fn bore(post: &str, wear: &str, off: f64) -> Value {
         r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": 25 }}, "control": {{ "post": "{post}", "form": "cycle" }},
             "part": {{ "sizes": {{ "diameter": {off} }} }}, "tolerances": {{ "diameter": {{ "tolerance": "±0.05", "wear": {wear} }} }} }}"#
     ))
-}
-
-/// Code and path of every error.
-fn refused(job: &Value) -> Vec<String> {
-    let error = plan(job).expect_err("refused");
-    let errors = error
-        .findings
-        .iter()
-        .filter(|finding| finding.level == Level::Error);
-    errors
-        .map(|finding| format!("{} {}", finding.code, finding.path))
-        .collect()
 }
 
 /// Letters of the reference sheets: T the offset, F the share, V the dead band, which a measuring macro compares with half of the error; 9835 has M, the

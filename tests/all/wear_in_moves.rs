@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use crate::common::fanuc::Control;
 use crate::common::sinumerik::Machine;
-use crate::common::{Draws, job, mpf, number, planned, point, with};
-use touchpath::form::{Level, Value};
-use touchpath::job::{Plan, check_program, convert_units, plan};
+use crate::common::{Draws, job, mpf, number, planned, point, refused, with};
+use touchpath::form::Value;
+use touchpath::job::{Plan, check_program, convert_units};
 
 const WEAR: &str = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005, "parts": 3, "store": 520 }"#;
 
@@ -24,18 +24,6 @@ const HAAS: &str = r#"{ "post": "haas", "toolOffsets": "diameter" }"#;
 
 fn bore() -> Value {
     corrects(HAAS, BORE, "diameter", WEAR)
-}
-
-/// Code and path of every error.
-fn refused(job: &Value) -> Vec<String> {
-    let error = plan(job).expect_err("refused");
-    let errors = error
-        .findings
-        .iter()
-        .filter(|finding| finding.level == Level::Error);
-    errors
-        .map(|finding| format!("{} {}", finding.code, finding.path))
-        .collect()
 }
 
 /// The blocks, by hand: 0.5 of the mean error of a bore's diameter, in a register of diameters.
@@ -533,6 +521,43 @@ fn a_set_up_corrects_several_tools() {
             "wear-unsupported tolerances.BORE.diameter.wear.store",
             "wear-unsupported tolerances.PIN.diameter.wear.store"
         ]
+    );
+}
+
+/// Two widths with one tool would change its register twice: the one that counts is named. In memory A a height shares the register of a size.
+#[test]
+fn two_results_do_not_correct_one_register() {
+    let job_of = |post: &str, offsets: &str, tools: [i32; 2]| {
+        let wear = |tool: i32, store: i32| {
+            format!(
+                r#"{{ "tolerance": "±0.05", "wear": {{ "tool": {tool}, "parts": 3, "store": {store} }} }}"#
+            )
+        };
+        let [first, second] = tools;
+        job(&format!(
+            r#"{{ "format": 2, "control": {{ "post": "{post}", "toolOffsets": "{offsets}" }}, "limits": {{ "position": 0.5 }},
+                "cycles": [ {{ "name": "TOP", "type": "surface" }}, {{ "name": "POCKET", "type": "internal-rectangle", "origin": [0, 100, 0] }} ],
+                "tolerances": {{ "POCKET.width1": {}, "POCKET.width2": {}, "TOP.point.z": {} }} }}"#,
+            wear(first, 500),
+            wear(second, 502),
+            wear(8, 504),
+        ))
+    };
+    let at = |result: &str| format!("wear-unsupported tolerances.{result}.wear.tool");
+    let widths = [at("POCKET.width1"), at("POCKET.width2")];
+    for offsets in ["radius", "diameter"] {
+        assert_eq!(refused(&job_of("haas", offsets, [5, 5])), widths);
+        assert_eq!(refused(&job_of("fanuc", offsets, [5, 5])), widths);
+        // Length and radius of one tool have a register each.
+        let text = planned(&job_of("haas", offsets, [5, 8])).program.text;
+        assert!(
+            text.contains("#2608=#2608+") && text.contains("#2208=#2208+"),
+            "{text}"
+        );
+    }
+    assert_eq!(
+        refused(&job_of("fanuc", "memory-a-radius", [5, 8])),
+        [at("POCKET.width2"), at("TOP.point.z")]
     );
 }
 

@@ -137,6 +137,18 @@ pub fn planned(job: &Value) -> Plan {
     plan(job).unwrap_or_else(|e| panic!("{:#?}", e.findings))
 }
 
+/// Code and path of every error of a refused job.
+pub fn refused(job: &Value) -> Vec<String> {
+    let error = touchpath::job::plan(job).expect_err("refused");
+    let errors = error
+        .findings
+        .iter()
+        .filter(|finding| finding.level == touchpath::form::Level::Error);
+    errors
+        .map(|finding| format!("{} {}", finding.code, finding.path))
+        .collect()
+}
+
 /// A job from JSON text.
 pub fn job(text: &str) -> Value {
     from_json(text).expect("JSON")

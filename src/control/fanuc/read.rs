@@ -33,7 +33,7 @@ const LIKE_FANUC: Grammar = Grammar {
     takes,
 };
 
-/// Register of a tool, by the number of its variable: the table begins at its number of hundreds.
+/// Register of a tool by the number of its variable: the number of a table plus that of the tool. A table has a number of tools.
 fn register(number: i32, tables: &[(i32, i32)]) -> Option<System> {
     let of = |(first, count): &(i32, i32)| {
         let tool = number - first;

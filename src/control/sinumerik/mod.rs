@@ -171,7 +171,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     let registers = request.registers();
     let last = registers.last + frame_registers(request);
     for correction in request.corrections() {
-        if correction.first_kept() <= last as i32 {
+        if correction.store <= last as i32 {
             let message = text!(
                 "The program uses R1 to R{last}: the mean needs two later R parameters",
                 last
@@ -266,20 +266,12 @@ impl Sinumerik<'_> {
         }
     }
 
-    /// Deviation of a result from its expected value, and its limit.
-    fn deviation(&self, formula: &Formula, check: &ResultCheck) -> (String, String) {
-        self.deviation_of(
-            format!("R{}", self.registers.checked(formula, check)),
-            check,
-        )
-    }
-
-    /// The same of a result with this name.
-    fn deviation_of(&self, value: String, check: &ResultCheck) -> (String, String) {
+    /// Deviation of the result in this variable from its expected value, and its limit.
+    fn deviation(&self, value: &str, check: &ResultCheck) -> (String, String) {
         let unit = if check.angle { 1.0 } else { self.request.scale };
         let [limit, wanted] = [check.limit, check.expected].map(|x| decimal(x / unit, 12));
         let off = match wanted.strip_prefix('-') {
-            _ if wanted == "0" => value,
+            _ if wanted == "0" => value.to_owned(),
             Some(positive) => format!("{value}+{positive}"),
             None => format!("{value}-{wanted}"),
         };
@@ -300,7 +292,8 @@ impl Sinumerik<'_> {
         i: usize,
         correction: &ToolCorrection,
     ) {
-        let (off, _) = self.deviation(formula, &correction.check);
+        let value = format!("R{}", self.registers.checked(formula, &correction.check));
+        let (off, _) = self.deviation(&value, &correction.check);
         let registers = self.correction(i).map(|register| format!("R{register}"));
         let scale = self.request.scale;
         w.comment(&correction.note());
@@ -354,27 +347,35 @@ impl Sinumerik<'_> {
         for check in checks {
             let stored = own.stored_value(check.variable.index());
             let value = stored.map_or_else(String::new, plan_calls::CYCLES.name);
-            self.stop_beyond(w, formula, &check, &value);
+            self.check_value(w, formula, &check, ([&value, &value], true));
         }
     }
 
-    /// Stops with an alarm if a result is beyond its limit.
-    fn stop_beyond(
+    /// Checks a value: beyond its limit the program shows `shown` and stops, or waits for the operator. `compared` is the same value.
+    fn check_value(
         &mut self,
         w: &mut Writer<'_>,
         formula: &Formula,
         check: &ResultCheck,
-        value: &str,
+        ([shown, compared], stops): ([&str; 2], bool),
     ) {
         self.asked += 1;
         let unit = if check.angle { 1.0 } else { self.request.scale };
-        let (off, limit) = self.deviation_of(value.to_owned(), check);
+        let (off, limit) = self.deviation(compared, check);
         let label = format!("TP_GOOD_{}", self.asked);
         w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
         let code = formula.code(&formula.results[check.result]);
-        let says = format!("{code} is \"<<{value}<<\"{}", check.complaint(unit));
-        w.line(&format!("MSG(\"{says}\")"));
-        w.line("GOTOF TP_STOP");
+        let says = format!("{code} is \"<<{shown}<<\"{}", check.complaint(unit));
+        let unwritten = match stops && self.request.writes_tables() {
+            true => ". Nothing is written",
+            false => "",
+        };
+        w.line(&format!("MSG(\"{says}{unwritten}\")"));
+        if stops {
+            w.line("GOTOF TP_STOP");
+        } else if self.request.report == ResultOutput::Screen {
+            self.wait(w);
+        }
         w.line(&format!("{label}:"));
     }
 
@@ -547,37 +548,16 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn check_result(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &ResultCheck) {
-        self.asked += 1;
-        let unit = if question.angle {
-            1.0
-        } else {
-            self.request.scale
-        };
         let value = print::variable(&self.notation(), formula, question.variable);
-        let (off, limit) = self.deviation(formula, question);
-        let label = format!("TP_GOOD_{}", self.asked);
-        w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
-        let code = formula.code(&formula.results[question.result]);
-        let says = format!("{code} is \"<<{value}<<\"{}", question.complaint(unit));
-        let writes = self.request.writes_tables();
-        if question.stops(writes) {
-            w.line(&format!(
-                "MSG(\"{says}{}\")",
-                if writes { ". Nothing is written" } else { "" }
-            ));
-            w.line("GOTOF TP_STOP");
-        } else {
-            w.line(&format!("MSG(\"{says}\")"));
-            if self.request.report == ResultOutput::Screen {
-                self.wait(w);
-            }
-        }
-        w.line(&format!("{label}:"));
+        let compared = format!("R{}", self.registers.checked(formula, question));
+        let stops = question.stops(self.request.writes_tables());
+        self.check_value(w, formula, question, ([&value, &compared], stops));
     }
 
     fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, checks: &[ResultCheck]) {
         for check in checks {
-            let (off, limit) = self.deviation(formula, check);
+            let value = format!("R{}", self.registers.checked(formula, check));
+            let (off, limit) = self.deviation(&value, check);
             w.line(&format!("IF ABS({off})>{limit} GOTOF TP_ASK"));
         }
         if !checks.is_empty() {
