@@ -1,7 +1,8 @@
 //! Reads `tolerances` of a job: the tolerance of each result, with the action beyond it.
 
 use crate::control::ProgramForm;
-use crate::control::corrections::{ToolCorrection, correction};
+use crate::control::corrections::correction;
+use crate::control::iso::script::ToolRegister;
 use crate::form::{Checker, Section, Value, printable};
 use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
@@ -47,8 +48,10 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut PlannedJob) {
             give(planned, given.index, tolerance);
         }
     }
-    check_stores(checker, planned.job.form, &planned.path.formula, &all);
-    check_registers(checker, &planned.job, &planned.path.formula, &all);
+    if planned.path.formula.corrects_tools() {
+        check_stores(checker, planned.job.form, &planned.path.formula, &all);
+        check_registers(checker, &planned.job, &planned.path.formula, &all);
+    }
 }
 
 /// Entries of `tolerances` for results of the job. Reports the others.
@@ -135,6 +138,7 @@ fn add_sizes(checker: &mut Checker, planned: &PlannedJob, all: &mut Vec<Given<'_
 }
 
 /// Checks offsets or variables that keep the values of a mean: one pair each, which belongs to no tool and no other mean.
+#[inline(never)]
 fn check_stores(checker: &mut Checker, form: ProgramForm, formula: &Formula, given: &[Given<'_>]) {
     let wear_of = |given: &Given<'_>| {
         let wear = formula.results[given.index].tolerance?.wear?;
@@ -177,26 +181,25 @@ fn check_stores(checker: &mut Checker, form: ProgramForm, formula: &Formula, giv
 }
 
 /// Reports results that a program of moves would correct one register by: each would change it by its own error.
+#[inline(never)]
 fn check_registers(checker: &mut Checker, job: &Job, formula: &Formula, given: &[Given<'_>]) {
     let Some(table) = job.post.tools.filter(|_| job.form == ProgramForm::Moves) else {
         return;
     };
     let settings = (table, job.tool_offsets, &job.limits);
-    let corrected = |given: &Given<'_>| {
+    let register = |given: &Given<'_>| {
         let own = correction(settings, (given.index, &formula.results[given.index]))?;
-        Some((own, given.key.to_owned()))
+        Some(own.register)
     };
-    let all: Vec<(ToolCorrection, String)> = given.iter().filter_map(corrected).collect();
-    for (i, (own, key)) in all.iter().enumerate() {
-        let others = all[..i].iter().chain(&all[i + 1..]);
-        let mut others = others.filter(|(other, _)| other.register == own.register);
-        if let Some((_, other)) = others.next() {
+    let all: Vec<Option<ToolRegister>> = given.iter().map(register).collect();
+    for (given, own) in given.iter().zip(&all) {
+        let same = all.iter().filter(|other| *other == own).count();
+        if let Some(own) = own.filter(|_| same > 1) {
             let message = text!(
-                "{other} corrects the same register of tool {tool}: its changes would add up. Correct it by one result",
-                printable(other),
-                own.wear.tool
+                "Several results correct one register of tool {tool}: the changes would add up. Correct it by one of them",
+                own.tool
             );
-            let at = format!("{TOLERANCES}.{}.wear.tool", printable(key));
+            let at = format!("{TOLERANCES}.{}.wear.tool", printable(given.key));
             checker.error("wear-unsupported", at, message);
         }
     }
