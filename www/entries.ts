@@ -132,9 +132,10 @@ export abstract class CatalogView extends Phrases {
 
   /** Whether a field has an effect in this job: the variant of its cycle and its control use it. */
   counts(path: string, field: FieldEntry): boolean {
-    const key = /^control\.(\w+)$/.exec(path)?.[1];
+    const key = /^(?:control|machine)\.(\w+)$/.exec(path)?.[1];
     if (key !== undefined && this.post?.unused.includes(key)) return false;
     if (key === "toolOffsets" && !this.correctsByMoves) return false;
+    if (key === "edition" && this.get("control.form") !== "cycle") return false;
     const { when } = field;
     return (
       when === null || this.get(path.replace(/\w+$/, when.key)) === when.value

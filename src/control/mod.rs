@@ -4,6 +4,7 @@
 //! its nominal contact by the overtravel.
 
 pub mod corrections;
+pub mod edition;
 mod fanuc;
 mod grbl;
 pub mod header;
@@ -32,6 +33,7 @@ mod write_summary;
 use std::cell::OnceCell;
 
 use crate::control::corrections::{ToolOffsets, ToolTable};
+use crate::control::edition::Edition;
 use crate::control::iso::codes::Family;
 use crate::control::iso::registers::{ComputeTiming, Registers};
 use crate::control::iso::script::{ReadError, Script};
@@ -204,7 +206,7 @@ pub struct PostDef {
     pub work_offset_word: fn(i32) -> String,
     /// Whether a work offset has a rotation that its program can write.
     pub offset_has_rotation: bool,
-    /// Fields of the job's section `control` that change nothing on it.
+    /// Fields of the job's sections `control` and `machine` that change nothing on it.
     pub unused: &'static [&'static str],
     /// Fields that a program of native cycles ignores, as paths of the job.
     pub unused_by_cycles: &'static [&'static str],
@@ -384,6 +386,8 @@ pub struct Request<'a> {
     pub report: ResultOutput,
     pub ask: Ask,
     pub tool_offsets: ToolOffsets,
+    /// Edition of the macros that the program calls.
+    pub edition: Edition,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     pub path: &'a Path,

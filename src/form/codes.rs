@@ -170,6 +170,10 @@ pub const CODES: &[(&str, &str)] = &[
         "A touch contacts an edge or a rim instead of a face.",
     ),
     (
+        "edition-not-stated",
+        "A call has letters that one edition of Renishaw's macros refuses, and the job does not state the edition.",
+    ),
+    (
         "extrusion-direction",
         "1493 along this axis would run off a round object.",
     ),

@@ -147,9 +147,13 @@ impl CallContext<'_> {
             }
             _ => return None,
         };
-        let offset = self
-            .get("S")
-            .filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
+        // G54.1 P1 is 101, and work offset 7 of a job.
+        let offset = self.get("S").and_then(|s| match s {
+            _ if s.fract() != 0.0 => None,
+            1.0..=6.0 => Some(s),
+            101.0..=148.0 => Some(s - 94.0),
+            _ => None,
+        });
         let overtravel = self.get("Q").map(|q| q + counted);
         Some(JobFromCall {
             overtravel,
@@ -385,6 +389,17 @@ mod tests {
             ]
         );
         assert_eq!(hole.get("overtravel"), Some(&Value::Number(7.0)));
+        // G54.1 P3 is the ninth work offset.
+        let written = |s: f64| {
+            let hole = job("G65 P9814", &[("D", 25.0), ("S", s)], [0.0; 3])?;
+            hole.get("control")?.get("workOffset").cloned()
+        };
+        assert_eq!(written(103.0), Some(Value::Number(9.0)));
+        assert!(
+            ![Some(Value::Number(103.0)), None].contains(&written(154.0)),
+            "{:?}",
+            written(154.0)
+        );
         assert_eq!(
             hole.get("control").and_then(|c| c.get("workOffset")),
             Some(&Value::Number(2.0))

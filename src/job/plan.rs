@@ -19,7 +19,7 @@ use crate::job::rows::{
     Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows,
     triple,
 };
-use crate::job::sections::ASK;
+use crate::job::sections::{ASK, EDITION};
 use crate::job::stylus::{purpose, report_stylus, report_unknown};
 use crate::job::{
     Job, JobError, datum, dependencies, relations, resolved, set_up, stock, tolerances, wear,
@@ -65,13 +65,22 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
         .unused
         .iter()
         .filter(|key| **key != "number")
-        .map(|key| ("control", *key));
+        .map(|key| {
+            let section = if *key == EDITION {
+                "machine"
+            } else {
+                "control"
+            };
+            (section, *key)
+        });
+    let of_moves = (job.form == ProgramForm::Moves && !post.unused.contains(&EDITION))
+        .then_some(("machine", EDITION));
     let of_cycles = post
         .unused_by_cycles
         .iter()
         .filter(|_| job.form == ProgramForm::Cycle)
         .filter_map(|path| path.split_once('.'));
-    for (section, key) in of_control.chain(of_cycles) {
+    for (section, key) in of_control.chain(of_cycles).chain(of_moves) {
         let Some(given) = value.get(section).and_then(|entries| entries.get(key)) else {
             continue;
         };
@@ -83,16 +92,22 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
         else {
             continue;
         };
-        let message = match post.unused.contains(&key) {
-            true => text!(
+        let message = if post.unused.contains(&key) {
+            text!(
                 "Programs for {title} do not use \"{field}\": it has no effect",
                 post.title.to_owned(),
                 Text::words(field.label)
-            ),
-            false => text!(
+            )
+        } else if job.form == ProgramForm::Moves {
+            text!(
+                "Programs of moves do not use \"{field}\": it has no effect",
+                Text::words(field.label)
+            )
+        } else {
+            text!(
                 "Native cycles do not use \"{field}\": it has no effect",
                 Text::words(field.label)
-            ),
+            )
         };
         checker.info("field-unused", format!("{section}.{key}"), message);
     }
@@ -754,6 +769,7 @@ pub(super) fn request<'a>(
         protected: job.protected || !measures,
         dry: job.dry,
         job: whole,
+        edition: job.edition,
         header: job.header,
         numbered: OnceCell::new(),
     }

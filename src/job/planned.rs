@@ -81,6 +81,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Rejections) {
         set_up: job.set_up,
         clear,
         wear: &job.wear,
+        edition: job.edition,
         takes_moves: (job.post.supports)(job.def.probes, ProgramForm::Moves).is_ok(),
     };
     let own = (cycles.plan)(

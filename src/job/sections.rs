@@ -1,6 +1,7 @@
 //! The forms of a job around the cycle.
 
 use crate::control::corrections::ToolOffsets;
+use crate::control::edition::Edition;
 use crate::control::shop::place::{self, FRAME};
 use crate::control::{
     self, Ask, HeaderDetail, POSTS, PostDef, ProgramForm, ResultOutput, WRITE_OFFSET,
@@ -215,6 +216,24 @@ const TOOL_OFFSETS: &[Choice] = &[
     },
 ];
 
+/// Key of the edition of the macros.
+pub const EDITION: &str = "edition";
+
+const EDITIONS: &[Choice] = &[
+    Choice {
+        value: Edition::Unknown.word(),
+        label: "Not stated",
+    },
+    Choice {
+        value: Edition::Haas.word(),
+        label: "3.14 for Haas NGC",
+    },
+    Choice {
+        value: Edition::Mazak.word(),
+        label: "A-4013-0113 for Mazak",
+    },
+];
+
 const REPORTS: &[Choice] = &[
     Choice {
         value: ResultOutput::Screen.word(),
@@ -285,6 +304,8 @@ form! {
         latency: f64 = Field::time("latency", "Latency", 5.0).range(0.0, 1000.0).usual(0.5, 50.0).group("Program and machine"),
         /// Permissible stylus deflection after contact, from the probe's data sheet: 3 to 12 mm sideways.
         deflection: f64 = Field::length("deflection", "Stylus deflection", 3.0).range(0.01, 100.0).usual(1.0, 15.0).group("Program and machine"),
+        /// Edition of Renishaw's macros on the machine, from the top of its programs. Editions differ in the letters that exclude each other, and in calibration.
+        edition: String = Field::choice(EDITION, "Edition of the macros", EDITIONS).group("Program and machine"),
         /// Lines of your shop at fixed places of the program: tool change, probe on, safe position. {tool}, {offset}, {axis}, {feed}, {clearance} and {name} become
         /// values of the job. A line must not write an offset, jump, or move below the clearance.
         frame: PlacedLines = Field::lines(FRAME, "Shop's lines", place::CHOICES).group("Shop's lines"),
@@ -449,6 +470,8 @@ pub struct Job {
     pub report: ResultOutput,
     pub ask: Ask,
     pub tool_offsets: ToolOffsets,
+    /// Edition of the macros that native cycles call.
+    pub edition: Edition,
     /// Number of the program on controls whose programs have one; `None` takes that of the name.
     pub number: Option<i32>,
     /// Clearance that the probe table adds to the set-up clearance of native cycles, mm.
@@ -677,6 +700,7 @@ impl Forms {
             runout: self.stylus.runout,
             limits: self.limits.limits(value, &sized),
             machine: self.machine.machine(),
+            edition: Edition::named(&self.machine.edition),
             shop: self.machine.frame,
             feeds: self.feeds.feeds(),
             def,

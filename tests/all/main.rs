@@ -10,6 +10,7 @@ mod does;
 mod draws;
 mod dry;
 mod edges;
+mod editions;
 mod family;
 mod fanuc;
 mod faults;

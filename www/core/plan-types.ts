@@ -48,6 +48,7 @@ export type FindingCode =
   | "division-by-zero"
   | "dry-run-unsupported"
   | "edge-contact"
+  | "edition-not-stated"
   | "extrusion-direction"
   | "feeds-of-set-up"
   | "field-unused"

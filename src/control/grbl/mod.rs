@@ -114,6 +114,7 @@ const GRBL_BASE: PostDef = PostDef {
         "setUp",
         "probeInput",
         "toolOffsets",
+        "edition",
     ],
     unsupported_rules: &[
         (

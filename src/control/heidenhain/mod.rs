@@ -48,7 +48,14 @@ pub static DEF: PostDef = PostDef {
         numbered: true,
         ..PLAIN
     },
-    unused: &["orient", "ask", "number", "probeInput", "toolOffsets"],
+    unused: &[
+        "orient",
+        "ask",
+        "number",
+        "probeInput",
+        "toolOffsets",
+        "edition",
+    ],
     uses_tool: |_| true,
     unused_by_cycles: &[
         "control.protection",

@@ -41,7 +41,7 @@ pub static DEF: PostDef = PostDef {
     work_offset_word,
     shortest_probe: SHORTEST_PROBE,
     dialect: &DIALECT,
-    unused: &["number", "setUp", "probeInput", "toolOffsets"],
+    unused: &["number", "setUp", "probeInput", "toolOffsets", "edition"],
     uses_tool: |_| true,
     unsupported_rules: &[(
         rules::MISS_LIFTS,

@@ -10,7 +10,12 @@ pub mod siemens;
 mod small;
 mod writes;
 
+use crate::control::edition::Edition;
+
 pub use writes::tool_name;
+
+/// Meaning of a word with the tool that a measuring call corrects.
+pub const CORRECTED: &str = "tool offset that is corrected";
 
 /// Unit of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,16 +163,18 @@ impl Call {
     }
 }
 
-/// The set whose calls have the numbers of another set.
+/// Sets whose calls have the numbers of another set.
+const ON_MAZAK: &str = "Mazak: Renishaw's macros of the edition A-4013-0113, where they differ";
 const CENTROID: &str =
     "Centroid CNC12: the macros that are shipped with it (numbers of Renishaw's, other meanings)";
 
 /// The sets of calls.
-pub static SETS: [(&str, &[Call]); 8] = [
+pub static SETS: [(&str, &[Call]); 9] = [
     (
         "Renishaw's macros: Fanuc and its kin, Haas, Mazak, Hurco (P98xx), Brother (P88xx)",
         &renishaw::CALLS,
     ),
+    (ON_MAZAK, &renishaw::MAZAK),
     ("Haas: the macros of its probing screens", &renishaw::HAAS),
     ("HEIDENHAIN: touch probe cycles", &heidenhain::CALLS),
     ("SINUMERIK: measuring cycles", &siemens::CALLS),
@@ -179,7 +186,13 @@ pub static SETS: [(&str, &[Call]); 8] = [
 
 /// A call by its name without blanks; P88xx is P98xx of a Brother, CALL O98xx that of an Okuma.
 pub fn find(name: &str) -> Option<&'static Call> {
-    find_in(name, |set| set != CENTROID)
+    find_in(name, |set| set != CENTROID && set != ON_MAZAK)
+}
+
+/// A call by its name in a program for an edition of Renishaw's macros.
+pub fn find_of(edition: Edition, name: &str) -> Option<&'static Call> {
+    let own = (edition == Edition::Mazak).then(|| find_in(name, |set| set == ON_MAZAK));
+    own.flatten().or_else(|| find(name))
 }
 
 /// A call by its name in a program of a Centroid.
@@ -265,10 +278,10 @@ mod tests {
             .iter()
             .flat_map(|(set, calls)| calls.iter().map(move |call| (*set, call)))
         {
-            let found = if set == CENTROID {
-                find_centroid(call.name)
-            } else {
-                find(call.name)
+            let found = match set {
+                CENTROID => find_centroid(call.name),
+                ON_MAZAK => find_of(Edition::Mazak, call.name),
+                _ => find(call.name),
             };
             assert!(
                 std::ptr::eq(found.unwrap(), call),

@@ -1,6 +1,6 @@
 //! Renishaw's macros, and those of Haas that call them.
 
-use super::{Argument, Call, Mark, angle, feed, length, plain};
+use super::{Argument, CORRECTED, Call, Mark, angle, feed, length, plain};
 
 /// Letters of every measuring macro. A letter is given only if it is wanted: its presence may stop the program.
 const SHARED: [Argument; 10] = [
@@ -14,7 +14,7 @@ const SHARED: [Argument; 10] = [
         "tolerance of the position, the whole zone: half of it to each side",
     ),
     angle("B", "tolerance of the angle"),
-    plain("T", "tool offset that is corrected"),
+    plain("T", CORRECTED),
     plain("F", "share of the error that the correction takes").within(0.0, 1.0),
     length("V", "error up to which nothing is corrected"),
     plain("W", "prints: 1 the next feature, 2 the next part").within(1.0, 2.0),
@@ -152,7 +152,7 @@ const STOCK: [Argument; 6] = [
     length("K", "a further place"),
 ];
 const MEAN: [Argument; 6] = [
-    plain("T", "tool that is corrected"),
+    plain("T", CORRECTED),
     plain("M", "tool offsets that keep the values"),
     plain("C", "number of parts for the mean, 3 unless it is given"),
     length("V", "error up to which nothing is corrected"),
@@ -165,7 +165,7 @@ const CALIBRATES: [Argument; 3] = [
     length("R", "side clearance, on a pin"),
 ];
 const CALIBRATES_LENGTH: [Argument; 2] = [
-    plain("T", "tool offset of the probe"),
+    plain("T", "tool of the probe, by its offset"),
     length("Z", "place of the surface"),
 ];
 
@@ -282,6 +282,103 @@ pub static CALLS: [Call; 22] = [
         excludes: &[("X", "Y")],
         ..measures("G65 P9843", "angle of a wall, two touches", &WALL)
     },
+];
+
+const SHARED_ON_MAZAK: [Argument; 11] = [
+    SHARED[0],
+    SHARED[1],
+    SHARED[2],
+    SHARED[3],
+    SHARED[4],
+    SHARED[5],
+    SHARED[6],
+    SHARED[7],
+    plain(
+        "S",
+        "work offset that is written: 1 to 6 for G54 to G59, 7 for the WPC, 101 to 400 for G54.1 P1 to P300",
+    ),
+    SHARED[9],
+    plain("E", "experience offset, which is added to the size"),
+];
+const ON_MAZAK: &str =
+    "one shop's program for this edition, written with the macros and the maker's manual";
+
+const fn on_mazak(
+    name: &'static str,
+    title: &'static str,
+    arguments: &'static [Argument],
+    needs: &'static [&'static str],
+) -> Call {
+    Call {
+        name,
+        title,
+        arguments,
+        shared: &SHARED_ON_MAZAK,
+        needs,
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: ON_MAZAK,
+    }
+}
+
+const CALIBRATES_ON_MAZAK: [Argument; 6] = [
+    plain(
+        "K",
+        "what: 0 centre of a ring, 1 length, 2 stylus offset, 3 and radii, 4 and radii by direction, 5 all of it on a sphere; −3 and −4 without the offset",
+    )
+    .within(-4.0, 5.0),
+    length("D", "diameter of the ring or sphere").positive(),
+    length("B", "diameter of the ball; in this macro no tolerance").positive(),
+    length("Z", "place of the surface, or of the sphere's centre"),
+    plain(
+        "T",
+        "tool of the probe, with its suffix: 1.01 is 1 A, 1.24 is 1 Z",
+    ),
+    plain("M", "180: finds the true centre first, by half a turn of the spindle")
+        .within(180.0, 180.0),
+];
+const RECTANGLE: [Argument; 6] = [
+    length("D", "side along X").positive(),
+    length("E", "side along Y").positive(),
+    plain(
+        "A",
+        "side with two touches: 11 X+, 12 Y+, 13 X−, 14 Y−; 14 unless it is given",
+    )
+    .within(11.0, 14.0),
+    length(
+        "T",
+        "distance of these two touches, a quarter of the side unless it is given; in this macro no tool",
+    )
+    .positive(),
+    HEIGHT,
+    CLEARANCE,
+];
+const SQUARES: [Argument; 3] = [
+    plain("K", "2: two touches along Z, apart along X"),
+    length("X", "distance of the two touches along X").positive(),
+    length("Z", "height of the touched surface"),
+];
+
+/// Calls that differ in the edition A-4013-0113 for Mazak.
+pub static MAZAK: [Call; 3] = [
+    on_mazak(
+        "G65 P9801",
+        "calibrates the probe",
+        &CALIBRATES_ON_MAZAK,
+        &["K", "B"],
+    ),
+    on_mazak(
+        "G65 P9817",
+        "rectangle: four sides and its angle",
+        &RECTANGLE,
+        &["D", "E"],
+    ),
+    on_mazak(
+        "G65 P9818",
+        "turns the B axis until a surface is square",
+        &SQUARES,
+        &["K", "X", "Z"],
+    ),
 ];
 
 const SCREEN: [Argument; 4] = [

@@ -1,12 +1,12 @@
 //! Lasting writes of a call: register and axes.
 
 use super::rows::{self, Is, Row, Shape};
-use super::{Call, heidenhain};
+use super::{CORRECTED, Call, heidenhain};
 
 /// A lasting change by a call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Written {
-    /// `offset` or `wear`.
+    /// `offset`, `length` or `wear`.
     pub kind: &'static str,
     /// Number of the work offset, 1 = G54, 0 the active one; `None` if unknown.
     pub number: Option<i32>,
@@ -17,6 +17,21 @@ pub struct Written {
     /// False if an unknown argument decides whether the call writes at all.
     pub is_sure: bool,
 }
+
+impl Written {
+    fn tool(kind: &'static str, tool: f64) -> Written {
+        Written {
+            kind,
+            number: None,
+            register: tool_name(tool),
+            axes: 0,
+            is_sure: !tool.is_nan(),
+        }
+    }
+}
+
+/// Start of the meaning of a letter with the probe's tool, whose length is written.
+const PROBE: &str = "tool of the probe";
 
 /// Start of the meaning of a letter with a work offset.
 const OFFSET: &str = "work offset that is written";
@@ -46,7 +61,13 @@ impl Call {
             .chain(self.shared)
             .filter(|argument| argument.meaning.starts_with(OFFSET))
             .find_map(|argument| Some((argument.name, given(argument.name)?)));
-        let tool = given("T").filter(|_| self.name.starts_with("G65 P98"));
+        // T is the probe's tool where the length is calibrated, and a distance in a rectangle of the edition for Mazak.
+        let kind = self.argument("T").and_then(|t| match t.meaning {
+            meaning if meaning.starts_with(CORRECTED) => Some("wear"),
+            meaning if meaning.starts_with(PROBE) => Some("length"),
+            _ => None,
+        });
+        let tool = given("T").and_then(|tool| Some((kind?, tool)));
         let offset = offset.map(|(letter, value)| {
             let (number, register) = numbered(letter, value);
             Written {
@@ -57,21 +78,20 @@ impl Call {
                 is_sure: !value.is_nan(),
             }
         });
-        let tool = tool.map(|tool| Written {
-            kind: "wear",
-            number: None,
-            register: tool_name(tool),
-            axes: 0,
-            is_sure: !tool.is_nan(),
-        });
+        let tool = tool.map(|(kind, tool)| Written::tool(kind, tool));
         offset.into_iter().chain(tool).collect()
     }
 
     /// Axes along which one of Renishaw's macros, or a similar one, measures.
     fn axes(&self, arguments: &[(String, f64)]) -> u8 {
         let number = self.name.strip_prefix("G65 P98").unwrap_or_default();
-        if matches!(number, "14" | "19" | "21" | "22" | "23" | "43") {
-            return LEVEL;
+        let given = |letter: &str| arguments.iter().any(|(name, _)| name == letter);
+        match number {
+            "14" | "19" | "21" | "22" | "23" | "43" => return LEVEL,
+            // A rectangle has a side E; otherwise these two write a rotary axis.
+            "17" if given("E") => return LEVEL,
+            "17" | "18" => return 0,
+            _ => {}
         }
         let named = arguments.iter().filter_map(|(name, _)| {
             ["X", "Y", "Z"]
@@ -100,8 +120,8 @@ fn numbered(letter: &str, value: f64) -> (Option<i32>, String) {
     match whole {
         1..=6 => (Some(whole), String::new()),
         54..=59 => (Some(whole - 53), String::new()),
-        // Renishaw's macros count G54.1 P1 as 101.
-        101..=148 => (Some(6 + 1000 * (whole - 100)), String::new()),
+        // Renishaw's macros count G54.1 P1 as 101, up to P300 on a Mazak, and G154 P1 of a Haas likewise.
+        101..=400 => (Some(6 + 1000 * (whole - 100)), String::new()),
         _ if value.is_nan() => (None, letter.to_owned()),
         _ => (None, format!("{letter} {}", crate::num::decimal(value, 2))),
     }

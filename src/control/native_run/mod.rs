@@ -6,6 +6,7 @@ pub mod machine;
 
 use self::machine::{Alarm, BallContact, ExecutedMove};
 use crate::control::ResultOutput;
+use crate::control::edition::Edition;
 use crate::formula::{Limits, Wear};
 use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
@@ -35,6 +36,8 @@ pub struct NativeRequest<'a> {
     pub clear: Option<f64>,
     /// Corrected tools, by the codes of the results.
     pub wear: &'a [(String, Wear)],
+    /// Edition of the called macros.
+    pub edition: Edition,
     /// Whether the control supports the job as a program of moves.
     pub takes_moves: bool,
 }

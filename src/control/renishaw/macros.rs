@@ -1,6 +1,7 @@
 //! Moves of each macro, from its arguments and the stylus position: behaviour of the macros, version 3.14 for Haas NGC [S]; their feeds and the back-off
 //! between the two touches are settings of an installation [I: those of that edition].
 
+use crate::control::edition::Edition;
 use crate::control::native_run::machine::{Alarm, Machine, MoveKind};
 use crate::control::native_run::{direction_at, value};
 use crate::geom::Vec3;
@@ -13,8 +14,7 @@ pub const MEASURE: f64 = 102.0;
 /// Back-off from the first contact to the start of the second touch, mm: 8 mm times a factor of the calibration, by default 0.2.
 pub const BACK_OFF: f64 = 1.6;
 
-/// Default Q: search distance. Default R: distance of the start from the surface of the ball, mm.
-const Q: f64 = 5.0;
+/// Default R: distance of the start from the surface of the ball, mm.
 const R: f64 = 5.0;
 /// Default Q of 9843.
 const Q_ANGLE: f64 = 10.0;
@@ -23,10 +23,21 @@ const Q_ANGLE: f64 = 10.0;
 pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 9823, 9843];
 
 /// Runs a macro by its letters, lengths in mm and angles in degrees; `None` for an unknown number.
-pub fn run(number: u32, letters: &[(char, f64)], m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+pub fn run(
+    number: u32,
+    letters: &[(char, f64)],
+    edition: Edition,
+    m: &mut Machine<'_>,
+) -> Option<Result<(), Alarm>> {
+    let [down, aside] = edition.searches();
+    let search = match number {
+        9811 if value(letters, 'Z').is_some() => down,
+        9843 => Q_ANGLE,
+        _ => aside,
+    };
     let call = Call {
         letters,
-        q: value(letters, 'Q').unwrap_or(if number == 9843 { Q_ANGLE } else { Q }),
+        q: value(letters, 'Q').unwrap_or(search),
     };
     Some(match number {
         9810 => call.protected(m),
@@ -320,7 +331,7 @@ mod tests {
             })
         };
         let mut m = Machine::new(at.into(), 3.0, 3.0, &mut meets);
-        let end = run(number, letters, &mut m).expect("known");
+        let end = run(number, letters, Edition::Unknown, &mut m).expect("known");
         let place = |v: Vec3| {
             v.to_array()
                 .map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0))

@@ -2,6 +2,7 @@
 
 use super::macros::{self, FAST, MEASURE, SEARCH};
 use crate::control::ResultOutput;
+use crate::control::edition::Edition;
 use crate::control::native_run::executed_path::{self, path_of_moves};
 use crate::control::native_run::machine::{Alarm, Machine};
 use crate::control::native_run::{
@@ -60,7 +61,8 @@ fn run(block: &CallBlock, _: ProbeTable, machine: &mut Machine<'_>) -> Option<Re
         .iter()
         .map(|(letter, quantity)| (*letter, quantity.value()))
         .collect();
-    macros::run(*number, &letters, machine)
+    // Each call states how far it searches.
+    macros::run(*number, &letters, Edition::Unknown, machine)
 }
 
 /// Link moves between two cycles are protected moves; results that the next macro overwrites are saved.
@@ -263,20 +265,26 @@ impl<'a> CallPlan<'a> {
         let angle = limits
             .angle
             .filter(|_| letters.iter().any(|(letter, _)| *letter == 'J'));
+        let corrects = letters.iter().any(|(letter, _)| *letter == 'T');
         let mut tolerance = |letter, value: Option<f64>, quantity: fn(f64) -> Quantity| {
             if let Some(value) = value {
                 letters.push((letter, quantity(value)));
             }
         };
+        let edition = self.request.edition;
+        let excluded = |one, other| edition.excludes().contains(&(one, other));
         // H is not allowed with S in a single surface, and never in a corner.
-        if matches!(number, 9812 | 9814 | 9822 | 9823) {
+        let sized = matches!(number, 9812 | 9814 | 9822 | 9823);
+        if sized && !(work_offset.is_some() && excluded("S", "H")) {
             tolerance('H', limits.size, Quantity::Length);
         }
         if matches!(number, 9815 | 9816) {
             tolerance('B', angle, Quantity::Angle);
         }
         // The whole zone: the alarm comes at half of it.
-        tolerance('M', limits.position.map(|x| 2.0 * x), Quantity::Length);
+        if !(corrects && excluded("T", "M")) {
+            tolerance('M', limits.position.map(|x| 2.0 * x), Quantity::Length);
+        }
         if let Some(n) = work_offset {
             letters.push(('S', Quantity::Plain((self.request.offset)(n))));
         }

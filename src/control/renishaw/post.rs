@@ -4,6 +4,7 @@
 //! marked [I] in the docs: Q as the overtravel less the ball radius, R as the side clearance less it, heights as those of the stylus tip, the variables #101
 //! and following for results that the next call overwrites.
 
+use crate::control::edition::Edition;
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::Writer;
 use crate::control::native_run::compute;
@@ -66,6 +67,14 @@ impl Calls {
             number - self.lower
         )
     }
+
+    /// The call that calibrates by directions.
+    fn by_directions(&self, edition: Edition) -> String {
+        match edition {
+            Edition::Mazak => format!("{} K4", self.name(LENGTH)),
+            Edition::Unknown | Edition::Haas => self.name(CALIBRATION),
+        }
+    }
 }
 
 /// Variable of a result, on a control with numbered ones.
@@ -110,7 +119,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
         let message = text!(
             "Rotated features and three touches require a calibration by directions, {macro}",
-            calls.name(CALIBRATION)
+            calls.by_directions(request.edition)
         );
         checker.warning("needs-calibration", "control.form", message);
     }
@@ -131,6 +140,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     if request.path.cycles.is_empty() && own.blocks.iter().any(|(block, _)| block.writes()) {
         check_asked(request, own, checker);
     }
+    check_edition(request, own, checker);
     check_plain_moves(request, checker);
     check_rotary(
         request,
@@ -152,6 +162,29 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     check_orientation(request, checker);
     offsets::check_optional(request, checker);
     number::check_digits(request, checker);
+}
+
+/// Asks for the edition where a call has letters that one of them refuses. On other controls than a Mazak only one edition is known.
+fn check_edition(request: &Request<'_>, own: &CallSequence, checker: &mut Checker) {
+    if request.edition != Edition::Unknown || request.post.key != "mazak" {
+        return;
+    }
+    let refused = own.blocks.iter().find_map(|(block, _)| {
+        let CallBlock::Call(_, letters) = block else {
+            return None;
+        };
+        let given = |name: &str| letters.iter().any(|(letter, _)| name.starts_with(*letter));
+        let mut pairs = Edition::Mazak.excludes().iter();
+        pairs.find(|(one, other)| given(one) && given(other))
+    });
+    if let Some((one, other)) = refused {
+        let message = text!(
+            "Edition A-4013-0113 of Renishaw's macros refuses {one} beside {other}: it stops with an alarm before it measures. State the edition on your machine, as the top of its macros has it",
+            (*one).to_owned(),
+            (*other).to_owned()
+        );
+        checker.warning("edition-not-stated", "machine.edition", message);
+    }
 }
 
 /// Reports limits that a program does not check before it writes.
@@ -442,6 +475,9 @@ fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Write
         "Calls the macros {} of Renishaw: they must be installed, and the probe calibrated, its length by {length}",
         calls.name(PROTECTED).replace("10", "xx")
     ));
+    if let Some(edition) = request.edition.name() {
+        w.comment(&format!("Edition of the macros: {edition}"));
+    }
     w.comment(&format!("Heights are of the stylus TIP, as {length} sets the length: the ball centre is one radius above"));
     w.comment(if calls.numbered_alarms {
         "Alarms: 86 path obstructed, 92 unexpected surface, 93 surface not found, 89 no tool length, 101 probe does not start, 106 and 107 \
@@ -454,7 +490,7 @@ fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Write
         let [one, two, three] = BY_DIRECTIONS.map(|number| calls.name(number));
         w.comment(&format!(
             "{one}, {two} and {three} ask for a calibration by directions: {}",
-            calls.name(CALIBRATION)
+            calls.by_directions(request.edition)
         ));
     }
     if !calls.switches {

@@ -60,7 +60,7 @@ pub static DEF: PostDef = PostDef {
     first_length: true,
     family: Family::Sinumerik,
     dialect: &DIALECT,
-    unused: &["number", "setUp", "toolOffsets"],
+    unused: &["number", "setUp", "toolOffsets", "edition"],
     uses_tool: |_| true,
     unused_by_cycles: &["feeds.work", "feeds.retract"],
     supports: serves,

@@ -1,5 +1,6 @@
 //! Recognises the dialect of a text.
 
+use crate::control::edition::Edition;
 use crate::control::iso::lex::{
     comment_at, head, lines_of, strip_prefix_nocase, trimmed, without_count, without_number,
 };
@@ -145,8 +146,25 @@ pub(super) fn is_centroid(text: &str) -> bool {
             || ["P9810A1X", "P9811A", "P9812A"]
                 .iter()
                 .any(|word| code.contains(word))
-            || code.contains("P9817D")
+            || code.contains("P9817D") && !code.contains('E')
     })
+}
+
+/// Edition of Renishaw's macros that a program is for: Mazak's by a comment that names it, or by letters that only its macros have.
+pub(super) fn edition(text: &str) -> Edition {
+    let of_mazak = |line: &str| {
+        let code = &line[..comment_at(line.as_bytes(), true).unwrap_or(line.len())];
+        let has = |letter: char| code.contains([letter, letter.to_ascii_lowercase()]);
+        let calls = |number: &str| code.contains(number);
+        line.contains("A-4013-0113")
+            || calls("9817") && has('D') && has('E')
+            || (calls("9801") || calls("9818")) && has('K')
+    };
+    if lines_of(text).take(MOST_LINES).any(of_mazak) {
+        Edition::Mazak
+    } else {
+        Edition::Unknown
+    }
 }
 
 /// A line up to the text in it, including the opening quote.

@@ -35,6 +35,7 @@ mod words;
 mod writes;
 mod wrote;
 
+use crate::control::edition::Edition;
 use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
@@ -134,11 +135,19 @@ pub struct Toolpath {
     pub(crate) by_g38: bool,
     /// Whether it is for a Centroid, whose macros share numbers with Renishaw's.
     pub(crate) centroid: bool,
+    /// Edition of Renishaw's macros that it is for.
+    pub(crate) edition: Edition,
     /// Line of the alarm that ends a run.
     pub(crate) stopped: Option<u32>,
 }
 
 impl Toolpath {
+    /// Decides what the numbers of macros mean.
+    fn is_for(&mut self, kind: ControlKind, text: &str) {
+        self.centroid = kind == ControlKind::Centroid;
+        self.edition = guess::edition(text);
+    }
+
     /// Number of moves: `kind`, `feed` and `line` have one entry for each.
     pub fn len(&self) -> usize {
         self.kind.len()
@@ -255,7 +264,10 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     // Long programs show their dialect early.
     const ENOUGH: usize = 50_000;
     let head = (ENOUGH..ENOUGH + 4).find_map(|end| text.get(..end));
-    reader.path.post = ControlKind::of(head.unwrap_or(text), dialect, None).post();
+    let head = head.unwrap_or(text);
+    let kind = ControlKind::of(head, dialect, None);
+    reader.path.is_for(kind, head);
+    reader.path.post = kind.post();
     run(text, text.len(), dialect, &[], reader)
 }
 
@@ -295,7 +307,7 @@ pub fn run_program(text: &str, known: &RunInputs<'_>) -> Toolpath {
         contact_in_machine: [f64::NAN; 3],
         met: None,
     });
-    reader.path.centroid = kind == ControlKind::Centroid;
+    reader.path.is_for(kind, text);
     reader.path.post = known.post.or(kind.post());
     let native = known.post.and_then(crate::control::find);
     reader.output_name = native.and_then(|post| Some(post.own?.name));

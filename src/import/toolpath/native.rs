@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::control::edition::Edition;
 use crate::control::heidenhain::read::{Given, assignments};
 use crate::control::iso::lex::number;
 use crate::control::native::{self, Argument, Call};
@@ -63,7 +64,7 @@ pub(super) fn listed(
     let call = if path.centroid {
         native::find_centroid(name)
     } else {
-        native::find(name)
+        native::find_of(path.edition, name)
     };
     let metric = path.metric.unwrap_or(true);
     let post = match name {
@@ -112,16 +113,27 @@ pub(super) fn listed(
         title: call.map(|call| call.title),
         mark: call.map(|call| call.mark.word()),
         source: call.map(|call| call.source),
-        contradictions: call.map_or_else(Vec::new, |call| contradictions(call, &arguments)),
+        contradictions: call.map_or_else(Vec::new, |call| {
+            contradictions(call, &arguments, path.edition)
+        }),
         job,
         arguments,
     });
     call
 }
 
-fn contradictions(call: &Call, arguments: &[NativeArgument]) -> Vec<String> {
+fn contradictions(call: &Call, arguments: &[NativeArgument], edition: Edition) -> Vec<String> {
     let given = |name: &str| arguments.iter().any(|argument| argument.name == name);
-    let both = call.excludes.iter().filter(|(a, b)| given(a) && given(b));
+    // A measuring macro of Renishaw's has both letters; elsewhere they may mean something else.
+    let own = call
+        .argument("T")
+        .is_some_and(|t| t.meaning == native::CORRECTED);
+    let edition = if own { edition.excludes() } else { &[] };
+    let pairs = call
+        .excludes
+        .iter()
+        .chain(edition.iter().filter(|pair| !call.excludes.contains(pair)));
+    let both = pairs.filter(|(a, b)| given(a) && given(b));
     let missing = call
         .needs
         .iter()

@@ -71,9 +71,10 @@ impl Reader {
         let letters: Vec<(char, f64)> = letters
             .map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x }))
             .collect();
+        let edition = self.path.edition;
         let counted: fn(&mut Self) -> &mut Count = |reader| &mut reader.own_moves;
         let made = self.makes_own((!goes).then_some(counted), true, |machine| {
-            macros::run(number, &letters, machine)
+            macros::run(number, &letters, edition, machine)
         });
         if made {
             self.feed = FAST / self.inch();

@@ -71,6 +71,9 @@ pub(super) fn of_number(number: i32, linuxcnc: bool) -> Option<Variable> {
         5201..=5203 => Some(Variable::External((number - 5201) as usize)),
         5221..=5340 => own(5221).map(|(set, axis)| Variable::Offset(set + 1, axis)),
         7001..=7960 => own(7001).map(|(set, axis)| Variable::Offset(6 + 1000 * (set + 1), axis)),
+        70_001..=75_999 => {
+            own(70_001).map(|(set, axis)| Variable::Offset(6 + 1000 * (set + 1), axis))
+        }
         14_001..=19_999 => {
             own(14_001).map(|(set, axis)| Variable::Offset(6 + 1000 * (set + 1), axis))
         }

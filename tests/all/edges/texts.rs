@@ -461,7 +461,7 @@ fn a_sinumerik_header_says_the_job_that_made_the_program() {
     );
     assert_eq!(planned(&read.job).program.text, text);
     // A header without the control: the blocks cannot be compared, which is reported.
-    let other = import(&text.replace("control.post=sinumerik ", "")).unwrap();
+    let other = import(&text.replace(" control.post=sinumerik", "")).unwrap();
     assert!(
         other
             .findings

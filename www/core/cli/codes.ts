@@ -42,6 +42,7 @@ export const CODES: Record<string, string> = {
   "division-by-zero": "A program divides by zero: a control stops there with an alarm.",
   "dry-run-unsupported": "A dry run is a program of moves: the native cycle touches automatically.",
   "edge-contact": "A touch contacts an edge or a rim instead of a face.",
+  "edition-not-stated": "A call has letters that one edition of Renishaw's macros refuses, and the job does not state the edition.",
   "extrusion-direction": "1493 along this axis would run off a round object.",
   "feeds-of-set-up": "A set-up: cycle 1411 uses the feeds of the job.",
   "field-unused": "A value is given that programs for this control, or of this form, do not use.",
