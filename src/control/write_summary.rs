@@ -187,6 +187,9 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
         (Some(_), None) if request.corrects_tools() => {
             ": at the very end, the tool by the mean error of several parts"
         }
+        (None, None) if request.post.key == "heidenhain" && !request.tools().is_empty() => {
+            ": by the cycle, as soon as the size is measured. No work offset is written"
+        }
         (None, None) if !request.tools().is_empty() => {
             ": by the macros, as soon as the size is measured. No work offset is written"
         }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::control::native_run::CorrectsTools;
 use crate::control::safety::RULES;
 use crate::control::{POSTS, ProgramForm};
 use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
@@ -233,6 +234,8 @@ pub struct PostEntry {
     pub computes_between: bool,
     /// Whether its native cycles can correct a tool offset from a measured size.
     pub corrects_tools: bool,
+    /// Whether those correct it by a share of the error, beyond a dead band, or by the mean of several parts.
+    pub corrects_by_share: bool,
     /// Whether its programs of moves can correct a tool from the mean error of several parts.
     pub corrects_by_moves: bool,
     /// Fields of the job's section `control` that change nothing on it.
@@ -318,7 +321,12 @@ pub fn catalog() -> Catalog {
                 watches: post.watches_positioning,
                 computes: post.computes,
                 computes_between: post.own.is_some_and(|own| own.several.computes),
-                corrects_tools: post.own.is_some_and(|own| own.corrects_tools),
+                corrects_tools: post
+                    .own
+                    .is_some_and(|own| own.corrects_tools != CorrectsTools::Never),
+                corrects_by_share: post
+                    .own
+                    .is_some_and(|own| own.corrects_tools == CorrectsTools::AsAsked),
                 corrects_by_moves: post.tools.is_some(),
                 unused: post.unused,
                 usual_lines: post

@@ -2,6 +2,7 @@
 
 use crate::control::ProgramForm;
 use crate::control::corrections::ToolTable;
+use crate::control::native_run::CorrectsTools;
 use crate::form::{Checker, Value};
 use crate::formula::{Role, Wear};
 use crate::job::{Job, wear};
@@ -27,7 +28,7 @@ pub fn read(
     let (found, at) = (found?, format!("{at}.wear"));
     let why = match own.form {
         ProgramForm::Moves => not_by_moves(of, related),
-        ProgramForm::Cycle => not_by_macros(of, related),
+        ProgramForm::Cycle => not_by_macros(of, related).or_else(|| not_by_whole_error(of, &found)),
     };
     if let Some(why) = why {
         let message = text!("No tool can be corrected by this result: {why}", why);
@@ -57,7 +58,7 @@ pub fn read(
 /// Why no macro corrects a tool by a result.
 fn not_by_macros((own, path, index): Measured<'_>, related: bool) -> Option<Text> {
     let sized = path.formula.results[index].role == Role::Size;
-    if !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
+    if corrects(own) == CorrectsTools::Never {
         Some(text!(
             "no source shows that the native cycles of {control} do that as the job says",
             own.post.title.to_owned()
@@ -71,6 +72,30 @@ fn not_by_macros((own, path, index): Measured<'_>, related: bool) -> Option<Text
     } else if own.work_offset.is_some() {
         Some(text!(
             "its macro writes the work offset: no source shows that it does both in one call"
+        ))
+    } else {
+        None
+    }
+}
+
+/// How the native cycles of a job's control correct a tool.
+fn corrects(own: &Job) -> CorrectsTools {
+    own.post
+        .own
+        .map_or(CorrectsTools::Never, |cycles| cycles.corrects_tools)
+}
+
+/// Why a cycle that corrects a tool by the whole error does not correct it as the job says.
+fn not_by_whole_error((own, path, index): Measured<'_>, wear: &Wear) -> Option<Text> {
+    if corrects(own) != CorrectsTools::WholeError {
+        None
+    } else if wear.share < 1.0 || wear.dead_band > 0.0 || wear.mean.is_some() {
+        Some(text!(
+            "the cycle corrects it by the whole error of each part: leave percent, dead band, mean and store empty"
+        ))
+    } else if path.formula.results[index].code.ends_with(['1', '2']) {
+        Some(text!(
+            "no source shows which side of a rectangle the cycle takes"
         ))
     } else {
         None

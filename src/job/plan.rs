@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 
+use crate::control::native_run::CorrectsTools;
 use crate::control::release::{Refusal, release};
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
@@ -408,7 +409,11 @@ fn predicted(
             report_judged(planned, &rows, &off, writes == Some(true), checker);
             match (job.form, job.post.tools) {
                 (ProgramForm::Cycle, _) => {
-                    wear::report_macros(path, &rows, job.limits.size, checker);
+                    let own = job
+                        .post
+                        .own
+                        .map_or(CorrectsTools::Never, |own| own.corrects_tools);
+                    wear::report_macros(path, &rows, (own, job.limits.size), checker);
                 }
                 (ProgramForm::Moves, Some(table)) => {
                     let settings = (table, job.tool_offsets, &job.limits);
@@ -764,12 +769,12 @@ pub(super) fn request<'a>(
         report: job.report,
         ask: job.ask,
         tool_offsets: job.tool_offsets,
+        edition: job.edition,
         path: dry.as_ref().unwrap_or(path),
         shop: &job.shop,
         protected: job.protected || !measures,
         dry: job.dry,
         job: whole,
-        edition: job.edition,
         header: job.header,
         numbered: OnceCell::new(),
     }

@@ -1,6 +1,7 @@
 //! Tool offsets that a program corrects from a measured size or height: `wear` of a tolerance.
 
 use crate::control::corrections::{CorrectionSettings, correction};
+use crate::control::native_run::CorrectsTools;
 use crate::form::{Checker, Field, Finding, Section, SubForm, Value, form};
 use crate::formula::{ResultRow, Wear};
 use crate::num::decimal;
@@ -158,7 +159,12 @@ pub fn report_means(
 }
 
 /// Reports the correction of each tool offset by macros on the virtual part. A size that deviates by `limit` or more stops its macro.
-pub fn report_macros(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
+pub fn report_macros(
+    path: &Path,
+    rows: &[ResultRow],
+    (own, limit): (CorrectsTools, Option<f64>),
+    checker: &mut Checker,
+) {
     for (row, def) in rows.iter().zip(&path.formula.results) {
         let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else {
             continue;
@@ -168,7 +174,14 @@ pub fn report_macros(path: &Path, rows: &[ResultRow], limit: Option<f64>, checke
         };
         let (result, tool) = (Text::words(def.meaning), wear.tool);
         let off = checker.length(error);
-        let message = if limit.is_some_and(|limit| error.abs() >= limit) {
+        let message = if own == CorrectsTools::WholeError {
+            text!(
+                "{result} is off by {error}: the cycle corrects DR of tool {tool}, also within the tolerance",
+                result,
+                off,
+                tool
+            )
+        } else if limit.is_some_and(|limit| error.abs() >= limit) {
             text!(
                 "{result} is off by {error}: the macro stops with an alarm. Tool offset {tool} stays, unless the program is continued",
                 result,

@@ -164,9 +164,14 @@ impl CallSequence {
                 .iter()
                 .find(|(letter, _)| *letter == 'T')
                 .map(|(_, tool)| tool.value() as i32),
+            CallBlock::Cycle(421..=427, parameters) => parameters
+                .iter()
+                .find(|(q, _)| *q == 330)
+                .map(|(_, tool)| tool.value() as i32),
             _ => None,
         });
-        let mut tools: Vec<i32> = corrected.collect();
+        // A cycle of a HEIDENHAIN names tool 0 if it corrects none.
+        let mut tools: Vec<i32> = corrected.filter(|tool| *tool != 0).collect();
         tools.sort_unstable();
         tools.dedup();
         tools

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::common::{job, owed, with};
 use crate::tests::safety::{BROKEN, DANGEROUS};
 use touchpath::control::iso::writer::Dialect;
+use touchpath::control::native_run::CorrectsTools;
 use touchpath::control::{ORIENT, POSTS, PostDef, ProgramForm, WRITE_OFFSET};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Field, Kind, Level, Value};
@@ -96,9 +97,20 @@ pub fn calling_macros_as_a_fanuc() -> Keys {
     which(|post| word(post, 9814, "D") == "P9814 D")
 }
 
-/// Controls whose native cycles can correct a tool offset.
+/// Controls whose native cycles correct no tool offset.
+pub fn correcting_no_tools() -> Keys {
+    which(|post| {
+        post.own
+            .is_some_and(|own| own.corrects_tools == CorrectsTools::Never)
+    })
+}
+
+/// Controls whose native cycles can correct a tool offset by a share of the error.
 pub fn correcting_tools() -> Keys {
-    which(|post| post.own.is_some_and(|own| own.corrects_tools))
+    which(|post| {
+        post.own
+            .is_some_and(|own| own.corrects_tools == CorrectsTools::AsAsked)
+    })
 }
 
 /// Controls of one list that are not in another one.

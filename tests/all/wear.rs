@@ -1,7 +1,7 @@
 //! Tools that a macro corrects from its measurement: the letters of its call, refusals, and the header.
 
 use crate::common::{import, job, planned, refused, with};
-use crate::tests::controls::{calling, calling_macros_as_a_fanuc, correcting_tools, without};
+use crate::tests::controls::{calling_macros_as_a_fanuc, correcting_no_tools, correcting_tools};
 use touchpath::form::{Level, Value};
 use touchpath::job::{convert_units, plan};
 
@@ -219,7 +219,7 @@ fn a_nominal_value_at_the_edge_of_its_zone_is_a_warning() {
 #[test]
 fn what_cannot_be_corrected_is_refused() {
     let tool = r#"{ "tool": 5 }"#;
-    for post in without(&calling(), &correcting_tools()) {
+    for post in correcting_no_tools() {
         assert_eq!(
             refused(&bore(post, tool, 0.0)),
             ["wear-unsupported tolerances.diameter.wear"],
@@ -303,6 +303,76 @@ fn what_cannot_be_corrected_is_refused() {
     ] {
         assert_eq!(refused(&bore("haas", wear, 0.0)), [wanted], "{wear}");
     }
+}
+
+/// Q330 of the measuring cycles corrects DR of its tool by the whole error, also inside the tolerance [S: the manual of a TNC 640]; a share, a dead band and a mean
+/// are not possible, and no source shows which side of a rectangle counts.
+#[test]
+fn a_heidenhain_names_the_tool_in_its_cycle() {
+    let tools = |job: &Value| -> Vec<String> {
+        let text = planned(job).program.text;
+        let named = text.lines().filter(|line| line.contains("Q330="));
+        named.map(|line| line.trim().to_owned()).collect()
+    };
+    let bored = bore("heidenhain", r#"{ "tool": 5 }"#, 0.03);
+    assert_eq!(tools(&bored), ["Q330=+5 ;TOOL NUMBER"]);
+    let plan = planned(&bored);
+    assert_eq!(plan.program.does, "corrects tool offset 5");
+    assert!(
+        plan.program
+            .text
+            .contains("Corrects tool offset 5: by the cycle, as soon as the size is measured"),
+        "{}",
+        plan.program.text
+    );
+    let said: Vec<&str> = plan
+        .findings
+        .iter()
+        .filter(|finding| finding.code == "tool-corrected")
+        .map(|finding| finding.message.as_str())
+        .collect();
+    assert_eq!(
+        said,
+        ["Diameter is off by 0.03 mm: the cycle corrects DR of tool 5, also within the tolerance"]
+    );
+    assert_eq!(
+        tools(&bore("heidenhain", "null", 0.0)),
+        ["Q330=+0 ;TOOL NUMBER"]
+    );
+    for wear in [
+        r#"{ "tool": 5, "percent": 50 }"#,
+        r#"{ "tool": 5, "deadBand": 0.01 }"#,
+        r#"{ "tool": 5, "parts": 3, "store": 20 }"#,
+    ] {
+        assert_eq!(
+            refused(&bore("heidenhain", wear, 0.0)),
+            ["wear-unsupported tolerances.diameter.wear"],
+            "{wear}"
+        );
+    }
+    let of = |cycle: &str, code: &str| {
+        job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "{cycle}" }}, "control": {{ "post": "heidenhain", "form": "cycle" }},
+                "tolerances": {{ "{code}": {{ "tolerance": "±0.05", "wear": {{ "tool": 5 }} }} }} }}"#
+        ))
+    };
+    assert_eq!(
+        refused(&of("internal-rectangle", "width1")),
+        ["wear-unsupported tolerances.width1.wear"]
+    );
+    for cycle in ["groove", "web"] {
+        assert_eq!(tools(&of(cycle, "width")), ["Q330=+5 ;TOOL NUMBER"]);
+    }
+    // In a set-up only the call of that size.
+    let two = r#"{ "format": 2, "control": { "post": "heidenhain", "form": "cycle" },
+        "cycles": [ { "name": "ONE", "type": "hole" }, { "name": "TWO", "type": "hole", "origin": [0, 100, 0] } ],
+        "tolerances": { "TWO.diameter": { "tolerance": "±0.1", "wear": { "tool": 8 } } } }"#;
+    assert_eq!(
+        tools(&job(two)),
+        ["Q330=+0 ;TOOL NUMBER", "Q330=+8 ;TOOL NUMBER"]
+    );
+    let text = planned(&bored).program.text;
+    assert_eq!(planned(&import(&text).unwrap().job).program.text, text);
 }
 
 /// The header contains it, and it is read back; in inch the dead band is the same length.

@@ -776,6 +776,8 @@ export interface PostEntry {
   computesBetween: boolean;
   /** Whether its native cycles can correct a tool offset from a measured size. */
   correctsTools: boolean;
+  /** Whether those correct it by a share of the error, beyond a dead band, or by the mean of several parts. */
+  correctsByShare: boolean;
   /** Whether its programs of moves can correct a tool from the mean error of several parts. */
   correctsByMoves: boolean;
   /** Fields of the job's section `control` that change nothing on it. */

@@ -298,8 +298,14 @@ class MeasuredPart extends StorePart {
       this.requestUpdate();
       store.settle();
     };
-    // Without a tool number the other fields are hidden.
-    const asked = own.wear ? fields : fields.slice(0, 1);
+    // Without a tool number the other fields are hidden; some cycles correct by the whole error only.
+    const { program } = store.plan;
+    const post = store.catalog.posts.find(({ id }) => id === program.post);
+    const whole = program.own && !post?.correctsByShare;
+    const asked = fields.filter(
+      ([key]) =>
+        key === "tool" || (own.wear && (!whole || given[key] !== undefined)),
+    );
     return html`<span class="wear">${asked.map(
       ([key, label]) =>
         html`<label>${this.t(label)} <input type="text" inputmode="decimal" maxlength="12" autocomplete="off" aria-label=${`${name}: ${this.t(label)}`} .value=${live(this.typed.get(`${name} ${key}`) ?? String(given[key] ?? ""))} ?disabled=${store.readonly} @input=${put(key)} @blur=${left(key)} /></label>`,

@@ -8,7 +8,7 @@ use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
 use crate::control::native_run::executed_path::{self, CallDraft};
 use crate::control::native_run::machine::{Alarm, Machine};
 use crate::control::native_run::{
-    ContactQuery, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of,
+    ContactQuery, CorrectsTools, CycleLinking, NativeCycles, NativeRequest, Rejections, degrees_of,
 };
 use crate::control::shop::place;
 use crate::control::{Program, Request, ResultOutput, check_write, native_run, write_summary};
@@ -34,7 +34,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
     name: |stored| match stored {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
-    corrects_tools: false,
+    corrects_tools: CorrectsTools::WholeError,
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: true,
@@ -191,6 +191,12 @@ impl Plan<'_> {
             ResultOutput::Screen => 2.0,
         };
         let limits = self.request.limits;
+        let mut wear = self.request.wear.iter();
+        let tool = wear.find_map(|(code, wear)| {
+            sizes
+                .contains(&code.as_str())
+                .then_some(f64::from(wear.tool))
+        });
         self.blocks.push(CallBlock::Cycle(
             row.number,
             row.call(
@@ -198,6 +204,7 @@ impl Plan<'_> {
                 &Asked {
                     limits,
                     log,
+                    tool: tool.unwrap_or(0.0),
                     ..Asked::default()
                 },
             ),

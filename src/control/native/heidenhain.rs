@@ -1,7 +1,7 @@
 //! HEIDENHAIN's touch probe cycles 4xx and 14xx, by their Q parameters. The texts are ours, based on the control's dialog.
 
 use super::rows::{Is, Row, Shape, Words};
-use super::{Argument, Call, Mark, angle, length, plain};
+use super::{Argument, CORRECTED, Call, Mark, angle, length, plain};
 use crate::path::Quantity;
 
 /// All Q parameters of the cycles; each cycle names its own.
@@ -55,7 +55,7 @@ const Q: [Argument; 62] = [
     length("Q327", "spacing, second axis"),
     length("Q328", "start, first axis"),
     length("Q329", "start, second axis"),
-    plain("Q330", "tool that is monitored"),
+    plain("Q330", CORRECTED),
     length("Q331", "value that the first axis shall get"),
     length("Q332", "value that the second axis shall get"),
     length("Q333", "value that the tool axis shall get"),
@@ -177,7 +177,7 @@ const NO_TOP: Words = &[
 /// A coordinate that has no meaning without that touch.
 const ZERO: Is = Is::Always(Quantity::Length(0.0));
 const SPREAD: Words = &[(423, Is::Count), (365, Is::Arcs)];
-/// Limits of a cycle that only measures; no tool is monitored.
+/// Limits of a cycle that only measures, and the tool that it corrects.
 const PLACE: Words = &[(279, Is::Off), (280, Is::Off)];
 const LOG: Words = &[(281, Is::Log)];
 const ASKS_BOTH: Words = &[
@@ -188,7 +188,7 @@ const ASKS_BOTH: Words = &[
             places: true,
         },
     ),
-    (330, Is::No),
+    (330, Is::Tool),
 ];
 const ASKS_SIZE: Words = &[
     (
@@ -198,7 +198,7 @@ const ASKS_SIZE: Words = &[
             places: false,
         },
     ),
-    (330, Is::No),
+    (330, Is::Tool),
 ];
 const ASKS_PLACE: Words = &[
     (
@@ -208,7 +208,7 @@ const ASKS_PLACE: Words = &[
             places: true,
         },
     ),
-    (330, Is::No),
+    (330, Is::Tool),
 ];
 const OF_WIDTH: Words = &[(288, Is::Largest(0)), (289, Is::Smallest(0))];
 

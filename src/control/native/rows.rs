@@ -111,6 +111,8 @@ pub struct Asked {
     pub limits: Limits,
     /// Number of the log.
     pub log: f64,
+    /// Number of the tool that is corrected; 0 is none.
+    pub tool: f64,
     /// Search distance past the contact.
     pub overtravel: f64,
     /// Radius of the ball.
@@ -176,6 +178,8 @@ pub enum Is {
         places: bool,
     },
     Log,
+    /// Tool that is corrected; 0 is none.
+    Tool,
     /// A choice that no job makes: 0. Any other value writes something that a job cannot ask for.
     No,
     /// A number of every call.
@@ -217,6 +221,7 @@ impl Is {
                 flag(sizes && size.is_some() || places && position.is_some())
             }
             Is::Log => Quantity::Plain(asked.log),
+            Is::Tool => Quantity::Plain(asked.tool),
             Is::No => flag(false),
             Is::Facing => Quantity::Plain(if of.towards > 0.0 { 1.0 } else { 2.0 }),
             Is::Turn => Quantity::Angle(of.turn),
@@ -267,7 +272,7 @@ impl Is {
             }
             Is::Preset | Is::Gets(_) | Is::GetsAlong | Is::No | Is::Always(_) | Is::Writing(_) => {}
             Is::Largest(_) | Is::Smallest(_) | Is::Highest | Is::Lowest | Is::Off | Is::Safe => {}
-            Is::Zone(_) | Is::Stops { .. } | Is::Log => {}
+            Is::Zone(_) | Is::Stops { .. } | Is::Log | Is::Tool => {}
         }
         Some(())
     }

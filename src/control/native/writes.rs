@@ -49,7 +49,11 @@ impl Call {
                 .map(|(_, value)| *value)
         };
         if let Some(cycle) = self.name.strip_prefix("TCH PROBE ") {
-            return preset(cycle, given).into_iter().collect();
+            let measures = cycle.starts_with("42") && cycle != "420";
+            // 0 corrects none.
+            let tool = given("Q330").filter(|tool| measures && *tool != 0.0);
+            let tool = tool.map(|tool| Written::tool("wear", tool));
+            return preset(cycle, given).into_iter().chain(tool).collect();
         }
         if self.name.starts_with("CYCLE9") {
             return corrected(self.name, given).into_iter().collect();

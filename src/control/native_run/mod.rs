@@ -51,6 +51,16 @@ pub type ContactQuery<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<BallContact>;
 /// The executed moves with their contacts, and the alarm that ended them, if any.
 pub type NativeRun = (Vec<ExecutedMove>, Option<Alarm>);
 
+/// How native cycles correct a tool by the error of a size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CorrectsTools {
+    Never,
+    /// By the whole error of a diameter or a width.
+    WholeError,
+    /// By a share of it, beyond a dead band, or by the mean of several parts.
+    AsAsked,
+}
+
 /// Hooks of a control's native cycles: planning, simulation, naming.
 #[derive(Clone, Copy, Debug)]
 pub struct NativeCycles {
@@ -67,7 +77,7 @@ pub struct NativeCycles {
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
     /// Whether they can correct a tool offset from a measured size.
-    pub corrects_tools: bool,
+    pub corrects_tools: CorrectsTools,
     /// Linking of several cycles in one program.
     pub several: CycleLinking,
 }

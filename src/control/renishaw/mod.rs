@@ -4,7 +4,7 @@ pub mod macros;
 mod plan_calls;
 pub(super) mod post;
 
-use crate::control::native_run::NativeCycles;
+use crate::control::native_run::{CorrectsTools, NativeCycles};
 use crate::path::Stored;
 
 pub(super) use plan_calls::LINKING;
@@ -19,7 +19,7 @@ pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> Nativ
         offset,
         word,
         name,
-        corrects_tools: true,
+        corrects_tools: CorrectsTools::AsAsked,
         several: LINKING,
     }
 }

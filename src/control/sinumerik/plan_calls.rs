@@ -10,6 +10,7 @@ use super::cycles;
 use crate::control::iso::writer::Writer;
 use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
 use crate::control::native::siemens::ROWS;
+use crate::control::native_run::CorrectsTools;
 use crate::control::native_run::executed_path::{self, CallDraft};
 use crate::control::native_run::machine::{Alarm, Machine};
 use crate::control::native_run::{
@@ -47,7 +48,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
         Stored::Output(entry) => format!("_OVR[{entry}]"),
         Stored::Kept(register) => format!("R{register}"),
     },
-    corrects_tools: false,
+    corrects_tools: CorrectsTools::Never,
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: false,
