@@ -304,6 +304,8 @@ namespace Touchpath
         public bool ComputesBetween { get; set; }
         /// <summary>Whether its native cycles can correct a tool offset from a measured size.</summary>
         public bool CorrectsTools { get; set; }
+        /// <summary>Whether those correct it by a share of the error, beyond a dead band, or by the mean of several parts.</summary>
+        public bool CorrectsByShare { get; set; }
         /// <summary>Whether its programs of moves can correct a tool from the mean error of several parts.</summary>
         public bool CorrectsByMoves { get; set; }
         /// <summary>Fields of the job's section `control` that change nothing on it.</summary>

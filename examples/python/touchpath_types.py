@@ -295,6 +295,8 @@ class PostEntry(TypedDict):
     computesBetween: bool
     # Whether its native cycles can correct a tool offset from a measured size.
     correctsTools: bool
+    # Whether those correct it by a share of the error, beyond a dead band, or by the mean of several parts.
+    correctsByShare: bool
     # Whether its programs of moves can correct a tool from the mean error of several parts.
     correctsByMoves: bool
     # Fields of the job's section `control` that change nothing on it.

@@ -32,7 +32,7 @@ pub(super) static BROTHER: PostDef = PostDef {
     key: "brother",
     title: "Brother Speedio",
     about: "calls of Renishaw's macros, which have the numbers P88xx there. Its programs do not state units: the control must be set to those of the job. Not verified on a control.",
-    unused: &["ask", "number", "setUp", "probeInput", "toolOffsets"],
+    unused: &["number", "setUp", "probeInput", "toolOffsets"],
     dialect: &Dialect {
         units: ("", ""),
         ..DIALECT
@@ -97,7 +97,7 @@ pub(super) static OKUMA: PostDef = PostDef {
 /// Base of these controls.
 const CALLER: PostDef = PostDef {
     extension: "NC",
-    unused: &["ask", "setUp", "probeInput", "toolOffsets"],
+    unused: &["setUp", "probeInput", "toolOffsets"],
     work_offsets: offsets::STANDARD + offsets::MORE,
     work_offset_word: offsets::word,
     computes: false,

@@ -42,7 +42,9 @@ use crate::form::{Checker, PlacedLines, Value};
 use crate::formula::{Limits, OffsetCorrection, ResultCheck, ResultDef};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
-use crate::path::{FeatureKind, Feeds, Move, MovePurpose, Path, ProbeSettings, STATED_RAPID};
+use crate::path::{
+    CallSequence, FeatureKind, Feeds, Move, MovePurpose, Path, ProbeSettings, STATED_RAPID,
+};
 use crate::text::{Text, text};
 
 /// Every control, in the order of the form.
@@ -450,6 +452,16 @@ impl Request<'_> {
     /// Whether the program may wait for the operator before it writes.
     pub fn asks(&self) -> bool {
         self.ask != Ask::Never && self.form == ProgramForm::Moves && self.writes_tables()
+    }
+
+    /// Whether a program of native cycles measures and shows its results first, and writes only when it measures again.
+    pub fn measures_first(&self) -> bool {
+        let writes = |own: &CallSequence| {
+            own.blocks.iter().any(|(block, _)| block.writes()) || !own.tools().is_empty()
+        };
+        self.ask != Ask::Never
+            && self.form == ProgramForm::Cycle
+            && self.path.calls.as_deref().is_some_and(writes)
     }
 
     /// Whether it always waits.

@@ -124,6 +124,12 @@ impl Request<'_> {
         })
     }
 
+    /// Whether the native cycle changes the active preset.
+    pub fn corrects_preset(&self) -> bool {
+        self.preset()
+            .is_some_and(|own| own.turns || own.rotation != 0 || !own.axes.is_empty())
+    }
+
     /// Change of the active preset by the native cycle; `None` if the program itself writes.
     fn preset(&self) -> Option<Preset> {
         let circles = self

@@ -277,6 +277,10 @@ pub const CODES: &[(&str, &str)] = &[
         "macro-stops",
         "A macro of the control's own ends a run with an alarm.",
     ),
+    (
+        "measured-twice",
+        "The program makes its moves twice: it writes only when it measures again, after the operator has seen the results.",
+    ),
     ("missing", "Something that a job needs is not there."),
     ("missing-code", "A dump lacks a code: the default is used."),
     (

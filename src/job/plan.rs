@@ -28,7 +28,8 @@ use crate::job::{
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{
-    Feature, Feeds, MOST_ASKEW, MovePurpose, Path, RAPID_RATE, SHORTEST_TOUCH, TouchError,
+    CallSequence, Feature, Feeds, MOST_ASKEW, MovePurpose, Path, RAPID_RATE, SHORTEST_TOUCH,
+    TouchError,
 };
 use crate::text::{Text, text};
 
@@ -582,8 +583,23 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
         (job.post.check)(&request, &mut checker);
     }
     shop::check(&request, &mut checker);
-    if request.ask != Ask::Never && !request.writes_tables() && !request.post.unused.contains(&ASK)
-    {
+    let asks = request.writes_tables() || request.measures_first() || request.corrects_preset();
+    // Calls of their own measure first on a HEIDENHAIN, and no word of them follows a result.
+    let follows = |own: &CallSequence| !own.measuring.is_empty() && !own.shifted.is_empty();
+    if request.measures_first() && path.calls.as_deref().is_some_and(follows) {
+        checker.error(
+            "ask-unsupported",
+            "control.ask",
+            text!("A cycle follows a result: the cycles cannot all measure before the first of them writes"),
+        );
+    } else if request.measures_first() {
+        checker.info(
+            "measured-twice",
+            "control.ask",
+            text!("The program makes its moves twice: it measures and shows the results, and after cycle start it measures again and writes"),
+        );
+    }
+    if request.ask != Ask::Never && !asks && !request.post.unused.contains(&ASK) {
         checker.info(
             "ask-unused",
             "control.ask",

@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use crate::control::ProgramForm;
 use crate::control::native_run::compute;
 use crate::control::native_run::machine::{Alarm, BallContact};
 use crate::control::native_run::{CycleLinking, NativeCycles, NativeRequest, Rejections};
+use crate::control::{Ask, ProgramForm};
 use crate::cycle::Repeat;
 use crate::form::Value;
 use crate::formula::{OffsetCorrection, ResultRow};
@@ -82,6 +82,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Rejections) {
         clear,
         wear: &job.wear,
         edition: job.edition,
+        measures_first: job.ask != Ask::Never && job.work_offset.is_some(),
         takes_moves: (job.post.supports)(job.def.probes, ProgramForm::Moves).is_ok(),
     };
     let own = (cycles.plan)(

@@ -882,7 +882,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         checker.error("form-unsupported", "control.form", message);
     }
     check_run(checker, post, control, def);
-    check_ask(checker, control);
+    check_ask(checker, post, control);
     if control.number.is_some() && post.unused.contains(&"number") {
         let message = text!(
             "Programs for {title} have no number: it is ignored",
@@ -942,17 +942,25 @@ fn check_work_offset(checker: &mut Checker, post: &PostDef, control: &Control) {
     }
 }
 
-/// A program that asks writes by moves and shows its results.
-fn check_ask(checker: &mut Checker, control: &Control) {
-    if Ask::named(&control.ask) == Ask::Never || control.work_offset.is_none() {
+/// A program that asks shows its results, and measures without a write first.
+fn check_ask(checker: &mut Checker, post: &PostDef, control: &Control) {
+    let ask = Ask::named(&control.ask);
+    if ask == Ask::Never || control.work_offset.is_none() {
         return;
     }
     let path = format!("control.{ASK}");
-    if ProgramForm::named(&control.form) == ProgramForm::Cycle {
+    let native = ProgramForm::named(&control.form) == ProgramForm::Cycle;
+    if native && !post.own.is_some_and(|own| own.measures_first) {
         checker.error(
             "ask-unsupported",
             path,
             text!("The native cycle measures and writes in one block: it cannot ask first"),
+        );
+    } else if native && ask == Ask::Outside {
+        checker.error(
+            "ask-unsupported",
+            path,
+            text!("A program of native cycles always asks: set control.ask to \"always\""),
         );
     } else if ResultOutput::named(&control.report) != ResultOutput::Screen {
         checker.error(

@@ -215,6 +215,8 @@ pub struct CallSequence {
     /// First position, reached in the plane and then downwards: the end of the path's first move.
     pub first: Vec3,
     pub blocks: Vec<(CallBlock, usize)>,
+    /// Calls before them that only measure and show their results, on a control whose writing calls are other ones.
+    pub measuring: Vec<(CallBlock, usize)>,
     /// For each move after the first, its ordinal among the moves that the calls make. On another part some of these moves have no length.
     pub counts: Vec<usize>,
     /// Storage of each result, by its code. [`Path::stored`](crate::path::Path::stored) answers for a set-up.

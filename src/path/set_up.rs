@@ -520,6 +520,7 @@ impl Path {
             }
             whole.blocks.push((block.clone(), *moves));
         }
+        whole.measuring.extend(own.measuring.iter().cloned());
         whole.guards.extend(own.guards.iter().cloned());
     }
 

@@ -3,7 +3,9 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{interpret, job, number, on_virtual_part, planned, with};
+use crate::common::{import, interpret, job, number, on_virtual_part, planned, with};
+use crate::tests::set_ups::computed::{faces, on_part, run as run_calls};
+use touchpath::control::POSTS;
 use touchpath::form::Value;
 use touchpath::job::{Plan, check, check_program, plan};
 
@@ -210,10 +212,29 @@ fn a_question_that_cannot_be_asked_is_reported() {
         found(&with(&fanuc, "control.workOffset", Value::Null)),
         ["ask-unused"]
     );
-    assert_eq!(
-        found(&with(&fanuc, "control.form", text("cycle"))),
-        ["ask-unsupported"]
+    let native = |post: &str, ask: &str| with(&bore(post, ask, 0.0), "control.form", text("cycle"));
+    for (post, ask, wanted) in [
+        ("sinumerik", "always", "ask-unsupported"),
+        ("fanuc", "outside", "ask-unsupported"),
+        ("heidenhain", "outside", "ask-unsupported"),
+    ] {
+        assert_eq!(found(&native(post, ask)), [wanted], "{post}");
+    }
+    // 1411 corrects the active preset itself; if it only measures, there is nothing to ask.
+    for (transfer, wanted) in [("1", "ask-unsupported"), ("0", "ask-unused")] {
+        let circles = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "transferPosition": {transfer}, "confirmRotation": 0 }},
+                "control": {{ "post": "heidenhain", "form": "cycle", "ask": "always" }} }}"#
+        ));
+        assert_eq!(found(&circles), [wanted], "{transfer}");
+    }
+    let measures = with(
+        &native("mazak", "always"),
+        "control.workOffset",
+        Value::Null,
     );
+    assert_eq!(found(&measures), ["ask-unused"]);
+    assert!(found(&native("haas", "always")).is_empty());
     assert_eq!(
         found(&with(&fanuc, "control.report", text("log"))),
         ["ask-unsupported"]
@@ -269,4 +290,167 @@ fn results_of_a_set_up_are_asked() {
             planned(&with(&given, "tolerances", tolerance));
         }
     }
+}
+
+/// Part before the question, and part after it.
+fn halves<'t>(text: &'t str, wait: &str) -> [&'t str; 2] {
+    let (before, after) = text
+        .split_once(wait)
+        .unwrap_or_else(|| panic!("{wait}\n{text}"));
+    [before, after]
+}
+
+/// Calls of measuring macros.
+fn macros(text: &str) -> Vec<&str> {
+    let called = |line: &&str| line.contains("98") || line.contains("88");
+    let lines = text
+        .lines()
+        .filter(|line| line.starts_with("G65 P") || line.starts_with("CALL O"));
+    lines.filter(called).collect()
+}
+
+/// Renishaw's macros measure and write in one call. So they measure without S first, and again with it: a reset at the question leaves everything as it was, and a
+/// start behind it measures again.
+#[test]
+fn macros_measure_without_a_write_first() {
+    for post in ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"] {
+        let ask = |ask: &str| {
+            with(
+                &bore(post, ask, 0.0),
+                "control.form",
+                Value::Text("cycle".to_owned()),
+            )
+        };
+        let plan = planned(&ask("always"));
+        let text = &plan.program.text;
+        let [before, after] = halves(text, "\nM0\n");
+        assert!(!after.contains("\nM0\n"), "{post}: shown once\n{text}");
+        let writes = |line: &&str| line.contains(" S1.") || line.contains(" PS=1.");
+        let [first, again] = [before, after].map(macros);
+        assert_eq!(
+            first.iter().filter(|line| writes(line)).count(),
+            0,
+            "{text}"
+        );
+        assert_eq!(
+            again.iter().filter(|line| writes(line)).count(),
+            1,
+            "{text}"
+        );
+        // Behind the question the program is that of a job that never asks, but for the probe, which is on already, and a move up.
+        let never = planned(&ask("never")).program.text;
+        let never = macros(&never);
+        let on = usize::from(post != "hurco");
+        assert_eq!(again[1..], never[on..], "{post}");
+        assert!(
+            again[0].contains("98") || again[0].contains("8810"),
+            "{post}: {again:?}"
+        );
+        assert!(
+            plan.findings
+                .iter()
+                .any(|finding| finding.code == "measured-twice"),
+            "{post}"
+        );
+        let back = import(text).expect("it is read");
+        assert!(
+            back.findings
+                .iter()
+                .all(|finding| finding.code != "program-differs"),
+            "{post}: {:?}",
+            back.findings
+        );
+        assert_eq!(planned(&back.job).program.text, *text, "{post}");
+        // The moves of the plan are those behind the question.
+        let begins = before.lines().count() as i32 + 1;
+        let lines = plan.program.move_lines.iter().filter(|line| **line >= 0);
+        assert!(
+            lines.clone().count() > 0 && lines.clone().all(|line| *line >= begins),
+            "{post}"
+        );
+    }
+}
+
+/// A top, and a bore that may be as far below it as the drawing says.
+const BORE_BELOW_TOP: &str = r#"{ "format": 2, "control": { "form": "cycle", "ask": "always", "workOffset": 3 }, "limits": { "position": 1 }, "cycles": [
+    { "name": "TOP", "type": "surface", "origin": [-35, 0, 0] },
+    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [0, 0, HEIGHT] } ] }"#;
+
+/// The simulated machine touches the same points twice, on a displaced part, also where cycles follow results.
+#[test]
+fn a_program_that_measures_first_touches_everything_twice() {
+    for post in ["fanuc", "haas", "mazak", "heidenhain"] {
+        let following = post != "heidenhain";
+        let offset = [0.3, -0.2, 0.1];
+        let height = if following { "\"=TOP.z\"" } else { "0" };
+        let text = BORE_BELOW_TOP.replace("HEIGHT", height);
+        let job = on_part(&text, post, false, offset);
+        let def = POSTS.iter().find(|def| def.key == post).expect("a control");
+        let faces = faces(true, offset);
+        let ran = run_calls(&planned(&job), def, 1.0, &faces);
+        assert_eq!(ran.stopped, None, "{post}");
+        let half = ran.contacts.len() / 2;
+        assert!(half >= 4 && ran.contacts.len() == 2 * half, "{post}");
+        for (one, other) in ran.contacts[..half].iter().zip(&ran.contacts[half..]) {
+            for axis in 0..3 {
+                assert!(
+                    (one[axis] - other[axis]).abs() < 1e-6,
+                    "{post}: {one:?} {other:?}"
+                );
+            }
+        }
+        if !following {
+            let rows: Vec<(u32, &str)> =
+                ran.rows.iter().map(|(n, row)| (*n, row.as_str())).collect();
+            assert_eq!(rows, [(417, "3"), (412, "3"), (247, "3")]);
+        }
+    }
+}
+
+/// A HEIDENHAIN measures by other cycles than those that write: they show their results and stop by Q281 = 2.
+#[test]
+fn cycles_of_a_heidenhain_measure_first() {
+    let job = with(
+        &bore("heidenhain", "always", 0.0),
+        "control.form",
+        Value::Text("cycle".to_owned()),
+    );
+    let text = planned(&job).program.text;
+    let [before, after] = halves(&text, "TCH PROBE 412");
+    let [_, measuring] = halves(before, "TCH PROBE 421");
+    assert!(
+        measuring.contains("Q281=+2 ") && !measuring.contains("Q305"),
+        "{text}"
+    );
+    assert!(
+        after.contains("Q305=+1 ") && !after.contains("TCH PROBE 421"),
+        "{text}"
+    );
+    let back = import(&text).expect("it is read");
+    assert!(
+        back.findings
+            .iter()
+            .all(|finding| finding.code != "program-differs"),
+        "{:?}",
+        back.findings
+    );
+    assert_eq!(planned(&back.job).program.text, text);
+    // The measuring cycle checks the limits, which the writing one cannot.
+    let unchecked = |ask: &str| {
+        let job = with(&job, "control.ask", Value::Text(ask.to_owned()));
+        let findings = planned(&job).findings;
+        findings
+            .iter()
+            .any(|finding| finding.code == "limits-not-asked")
+    };
+    assert!(unchecked("never") && !unchecked("always"));
+    assert!(measuring.contains("Q309=+1 "), "{text}");
+    // No word of a measuring cycle follows a result.
+    let follows = BORE_BELOW_TOP.replace("HEIGHT", "\"=TOP.z\"").replace(
+        "\"cycles\"",
+        r#""datum": { "x": "BORE.center.x", "y": "BORE.center.y", "z": null }, "cycles""#,
+    );
+    let refused = plan(&on_part(&follows, "heidenhain", false, [0.0; 3])).expect_err("refused");
+    let codes: Vec<&str> = refused.findings.iter().map(|f| f.code.as_str()).collect();
+    assert!(codes.contains(&"ask-unsupported"), "{codes:?}");
 }

@@ -75,6 +75,7 @@ export type FindingCode =
   | "machine-places"
   | "macro-not-seen"
   | "macro-stops"
+  | "measured-twice"
   | "missing"
   | "missing-code"
   | "missing-parameter"

@@ -17,7 +17,7 @@ use crate::control::iso::writer::{Dialect, PLAIN, Writer, stated_start};
 use crate::control::moves::{self, MoveContext, Moves};
 use crate::control::shop::place;
 use crate::control::{
-    BASE, ORIENT, PostDef, Program, ProgramForm, Request, check_orientation, write_summary,
+    Ask, BASE, ORIENT, PostDef, Program, ProgramForm, Request, check_orientation, write_summary,
 };
 use crate::form::Checker;
 use crate::geom::Plane;
@@ -48,14 +48,7 @@ pub static DEF: PostDef = PostDef {
         numbered: true,
         ..PLAIN
     },
-    unused: &[
-        "orient",
-        "ask",
-        "number",
-        "probeInput",
-        "toolOffsets",
-        "edition",
-    ],
+    unused: &["orient", "number", "probeInput", "toolOffsets", "edition"],
     uses_tool: |_| true,
     unused_by_cycles: &[
         "control.protection",
@@ -253,6 +246,11 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
             "cycle 1411 corrects the active preset itself, depending on Q1120 and Q1121: leave the work offset empty"
         );
         checker.error("work-offset-unsupported", "control.workOffset", message);
+    }
+    if request.ask != Ask::Never && request.corrects_preset() {
+        let message =
+            text!("The native cycle measures and writes in one block: it cannot ask first");
+        checker.error("ask-unsupported", "control.ask", message);
     }
     for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
         let settings = request

@@ -35,6 +35,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
     corrects_tools: CorrectsTools::WholeError,
+    measures_first: true,
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: true,
@@ -88,7 +89,17 @@ fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Pa
             return Ok(path.clone());
         }
     }
-    program.finish(meets)
+    let mut path = program.finish(meets)?;
+    if let Some(own) = path.calls.as_mut().filter(|_| request.measures_first) {
+        let measuring = NativeRequest {
+            work_offset: None,
+            measures_first: false,
+            ..*request
+        };
+        let measuring = plan_calls(&measuring, meets)?.calls;
+        own.measuring = measuring.map_or_else(Vec::new, |own| own.blocks);
+    }
+    Ok(path)
 }
 
 /// Runs a block; `None` if the block does not move.
@@ -577,7 +588,8 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     );
     checker.info("dist-needed", "overtravel", message);
     check_write(request, checker);
-    let own = request.path.calls.iter().flat_map(|own| &own.blocks);
+    let own = request.path.calls.iter();
+    let own = own.flat_map(|own| own.measuring.iter().chain(&own.blocks));
     let unasked = own.filter_map(|(block, _)| match block {
         CallBlock::Cycle(number, _) => row(*number),
         _ => None,
@@ -592,9 +604,10 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.warning("limits-not-asked", "limits.position", message);
     }
     if let Some(row) = request.work_offset {
-        if request.limits.position.is_some() || request.limits.size.is_some() {
+        let limited = request.limits.position.is_some() || request.limits.size.is_some();
+        if limited && !request.measures_first() {
             let message = text!(
-                "The cycles that write a preset have no tolerances: they write their results without a check of the limits. Measure without a work offset first"
+                "The cycles that write a preset have no tolerances: they write their results without a check of the limits. Set control.ask to \"always\": the program then measures with the limits first"
             );
             checker.warning("limits-not-asked", "limits", message);
         }
@@ -641,10 +654,11 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
         length(2.0 * request.setup.radius),
         length(request.setup.overtravel)
     ));
-    w.comment(&write_summary::line(
-        request,
-        ": by the cycle, then activated by cycle 247",
-    ));
+    let how = match request.measures_first() {
+        true => ": by the cycle, after the results were shown, then activated by cycle 247",
+        false => ": by the cycle, then activated by cycle 247",
+    };
+    w.comment(&write_summary::line(request, how));
     if writes_early(request) {
         w.comment(
             "Another preset row must be active at the start: cycles measure after one that writes",
@@ -686,6 +700,15 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
     w.leaves_move();
     let mut made = 1;
     let mut functions = Functions::of(request, own);
+    if !own.measuring.is_empty() {
+        w.comment("First it measures and shows the results. Cycle start measures again and writes");
+    }
+    for (block, _) in &own.measuring {
+        if let CallBlock::Cycle(number, parameters) = block {
+            let none = vec![None; parameters.len()];
+            blocks::write(&mut w, request, *number, (parameters, &none));
+        }
+    }
     for (index, (block, moves)) in own.blocks.iter().enumerate() {
         if *moves > 0 {
             w.names_cycle(made);

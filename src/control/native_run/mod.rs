@@ -38,6 +38,8 @@ pub struct NativeRequest<'a> {
     pub wear: &'a [(String, Wear)],
     /// Edition of the called macros.
     pub edition: Edition,
+    /// Whether the program measures and shows its results before the calls that write.
+    pub measures_first: bool,
     /// Whether the control supports the job as a program of moves.
     pub takes_moves: bool,
 }
@@ -78,6 +80,8 @@ pub struct NativeCycles {
     pub name: fn(Stored) -> String,
     /// Whether they can correct a tool offset from a measured size.
     pub corrects_tools: CorrectsTools,
+    /// Whether a program can measure without a write first, show the results, and then measure again and write.
+    pub measures_first: bool,
     /// Linking of several cycles in one program.
     pub several: CycleLinking,
 }

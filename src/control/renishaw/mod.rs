@@ -20,6 +20,7 @@ pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> Nativ
         word,
         name,
         corrects_tools: CorrectsTools::AsAsked,
+        measures_first: true,
         several: LINKING,
     }
 }

@@ -93,6 +93,9 @@ const OFF: u32 = 9833;
 const CALIBRATION: u32 = 9804;
 const LENGTH: u32 = 9801;
 
+/// Corrects a tool by the mean of several parts.
+const MEAN: u32 = 9835;
+
 /// Macros that need a calibration by directions.
 const BY_DIRECTIONS: [u32; 3] = [9821, 9822, 9823];
 
@@ -225,54 +228,35 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     begin(request, own, calls, &mut w);
     w.shop(&place::BEFORE_FIRST_MOVE);
     let probes = !request.path.moves.is_empty();
-    if probes {
-        w.names_cycle(0);
-        approach(request, own, calls, &mut w);
-    }
-    let mut made = 1;
     let mut alarms = Vec::new();
-    for (index, (block, moves)) in own.blocks.iter().enumerate() {
-        if *moves > 0 {
-            w.names_cycle(made);
-            made += moves;
-        }
-        match block {
-            CallBlock::Call(number, letters) => {
-                for _ in 0..*moves {
-                    // A protected move belongs to the program, the rest to the macro.
-                    if *number == 9810 {
-                        w.makes_move()
-                    } else {
-                        w.leaves_move()
-                    }
-                }
-                let words: Vec<(char, String)> = letters
-                    .iter()
-                    .enumerate()
-                    .map(|(i, (letter, quantity))| {
-                        let value = word(&w, *quantity);
-                        (*letter, shifted(request, own, value, own.shifts(index, i)))
-                    })
-                    .collect();
-                w.line(&call(calls, *number, &words));
-            }
-            CallBlock::Cycle(..) | CallBlock::MoveTo(..) => {}
-            CallBlock::SaveResult(kept, output) => {
-                let Some(cycles) = request.post.own else {
-                    continue;
-                };
-                let [kept, output] =
-                    [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);
-                w.parts(&[&kept, "=", &output]);
-            }
-            CallBlock::Compute(m) => computes(&mut w, request, own, *m, &mut alarms),
-        }
+    let names = results(request);
+    if request.measures_first() {
+        makes_calls(&mut w, (request, own, calls), Run::Before, &mut alarms);
+        w.comment(&format!(
+            "Read the results now: {}. Cycle start measures again and writes, RESET leaves everything as it was",
+            names.join(", ")
+        ));
+        w.line("M0");
+        let up = w
+            .number(request.highest().z - request.setup.radius)
+            .to_string();
+        w.line(&call(
+            calls,
+            PROTECTED,
+            &[('Z', up), ('F', rate(request, &w))],
+        ));
     }
+    let run = if request.measures_first() {
+        Run::Again
+    } else {
+        Run::Once
+    };
+    makes_calls(&mut w, (request, own, calls), run, &mut alarms);
     if probes && calls.switches {
         w.line(&call(calls, OFF, &[]));
     }
-    let names = results(request);
-    if probes && request.report == ResultOutput::Screen && !names.is_empty() {
+    let shows = request.report == ResultOutput::Screen && !request.measures_first();
+    if probes && shows && !names.is_empty() {
         w.comment(&format!("Read the results now: {}", names.join(", ")));
         w.line("M0");
     }
@@ -288,6 +272,90 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
         w.line(tape);
     }
     w.finish()
+}
+
+/// What the calls of a program are for.
+#[derive(Clone, Copy, PartialEq)]
+enum Run {
+    /// They measure, and write if the job says so.
+    Once,
+    /// They measure and write nothing, before the operator is asked.
+    Before,
+    /// They measure again and write.
+    Again,
+}
+
+impl Run {
+    /// Whether a call has a letter. S writes a work offset, T corrects a tool, by F and beyond V.
+    fn gives(self, number: u32, letter: char) -> bool {
+        self != Run::Before || number == PROTECTED || !['S', 'T', 'F', 'V'].contains(&letter)
+    }
+
+    /// Whether it makes a call. 9835 only corrects a tool.
+    fn makes(self, number: u32) -> bool {
+        self != Run::Before || number != MEAN
+    }
+}
+
+/// The calls from the approach to the last one.
+fn makes_calls(
+    w: &mut Writer<'_>,
+    (request, own, calls): (&Request<'_>, &CallSequence, &Calls),
+    run: Run,
+    alarms: &mut Vec<String>,
+) {
+    let path = run != Run::Before;
+    if !request.path.moves.is_empty() {
+        w.names_cycle(0);
+        if calls.switches && run != Run::Again {
+            w.line(&call(calls, ON, &[]));
+            // The macro orients the spindle itself, to the angle set in the control.
+            orient(request, calls, w);
+        }
+        approach(request, own, calls, (w, path));
+    }
+    let mut made = 1;
+    for (index, (block, moves)) in own.blocks.iter().enumerate() {
+        if *moves > 0 {
+            w.names_cycle(made);
+            made += moves;
+        }
+        match block {
+            CallBlock::Call(number, letters) => {
+                for _ in 0..if path { *moves } else { 0 } {
+                    // A protected move belongs to the program, the rest to the macro.
+                    if *number == PROTECTED {
+                        w.makes_move()
+                    } else {
+                        w.leaves_move()
+                    }
+                }
+                if !run.makes(*number) {
+                    continue;
+                }
+                let words: Vec<(char, String)> = letters
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, (letter, _))| run.gives(*number, *letter))
+                    .map(|(i, (letter, quantity))| {
+                        let value = word(w, *quantity);
+                        (*letter, shifted(request, own, value, own.shifts(index, i)))
+                    })
+                    .collect();
+                w.line(&call(calls, *number, &words));
+            }
+            CallBlock::Cycle(..) | CallBlock::MoveTo(..) => {}
+            CallBlock::SaveResult(kept, output) => {
+                let Some(cycles) = request.post.own else {
+                    continue;
+                };
+                let [kept, output] =
+                    [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);
+                w.parts(&[&kept, "=", &output]);
+            }
+            CallBlock::Compute(m) => computes(w, request, own, *m, alarms),
+        }
+    }
 }
 
 /// Prints expressions over the variables of results and computed values.
@@ -416,22 +484,30 @@ fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
     }
 }
 
-/// The position of the stylus is unknown: in the plane first, at the current height, then down.
-fn approach(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Writer<'_>) {
-    if calls.switches {
-        w.line(&call(calls, ON, &[]));
-        // The macro orients the spindle itself, to the angle set in the control.
-        orient(request, calls, w);
-    }
-    let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));
-    let [x, y, z, feed] = [first.x, first.y, first.z - request.setup.radius, rate]
-        .map(|value| w.number(value).to_string());
+/// Feed of the first moves.
+fn rate(request: &Request<'_>, w: &Writer<'_>) -> String {
+    w.number(request.feeds.approach.unwrap_or(STATED_RAPID))
+        .to_string()
+}
+
+/// The position of the stylus is unknown: in the plane first, at the current height, then down. `path`: whether these are the moves of the path.
+fn approach(
+    request: &Request<'_>,
+    own: &CallSequence,
+    calls: &Calls,
+    (w, path): (&mut Writer<'_>, bool),
+) {
+    let (first, feed) = (own.first, rate(request, w));
+    let [x, y, z] =
+        [first.x, first.y, first.z - request.setup.radius].map(|value| w.number(value).to_string());
     w.line(&call(
         calls,
         PROTECTED,
         &[('X', x), ('Y', y), ('F', feed.clone())],
     ));
-    w.makes_move();
+    if path {
+        w.makes_move();
+    }
     w.line(&call(calls, PROTECTED, &[('Z', z), ('F', feed)]));
 }
 
@@ -457,10 +533,11 @@ fn begin(request: &Request<'_>, own: &CallSequence, calls: &Calls, w: &mut Write
     if numbered {
         w.line(&number::line(request));
     }
-    w.header(&write_summary::line(
-        request,
-        ": by the macro that measures it",
-    ));
+    let how = match request.measures_first() {
+        true => ": by the macro that measures it, after the results were shown",
+        false => ": by the macro that measures it",
+    };
+    w.header(&write_summary::line(request, how));
     if numbered && number::chosen(request).is_none() {
         w.comment(number::NOT_CHOSEN);
     }

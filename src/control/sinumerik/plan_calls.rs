@@ -49,6 +49,7 @@ pub static CYCLES: NativeCycles = NativeCycles {
         Stored::Kept(register) => format!("R{register}"),
     },
     corrects_tools: CorrectsTools::Never,
+    measures_first: false,
     several: CycleLinking {
         way: |to, _, _, (feed, _)| CallBlock::MoveTo(to, feed),
         links_itself: false,

@@ -45,7 +45,7 @@ fn computing() -> impl Iterator<Item = &'static PostDef> {
 }
 
 /// The job for a control, in units of its own, on a part with this offset and a first bore that is 0.2 mm larger.
-fn on_part(text: &str, post: &str, inch: bool, offset: [f64; 3]) -> Value {
+pub fn on_part(text: &str, post: &str, inch: bool, offset: [f64; 3]) -> Value {
     let text = match post {
         // No source shows where CYCLE978 stores a height: nothing follows it.
         "sinumerik" => text
@@ -69,7 +69,7 @@ fn on_part(text: &str, post: &str, inch: bool, offset: [f64; 3]) -> Value {
 }
 
 /// The faces of that part, by hand: a stylus tip meets the top, the ball (radius 3) the others.
-fn faces(following: bool, [x, y, z]: [f64; 3]) -> Vec<Face> {
+pub fn faces(following: bool, [x, y, z]: [f64; 3]) -> Vec<Face> {
     let bore = |at: [f64; 2]| Face::Circle([at[0] + x, at[1] + y], 12.5);
     match following {
         true => vec![
@@ -84,12 +84,12 @@ fn faces(following: bool, [x, y, z]: [f64; 3]) -> Vec<Face> {
 }
 
 /// Where a run ended, its contacts in mm, and its variables by name.
-struct Ran {
-    contacts: Vec<[f64; 3]>,
+pub struct Ran {
+    pub contacts: Vec<[f64; 3]>,
     variables: BTreeMap<String, f64>,
-    stopped: Option<String>,
+    pub stopped: Option<String>,
     /// Cycles of a TNC that write a row of the preset table or activate it, with the row.
-    rows: Vec<(u32, String)>,
+    pub rows: Vec<(u32, String)>,
     /// What they write along X, Y and Z: measured less the value that the coordinate shall get.
     written: [f64; 3],
 }
@@ -321,7 +321,7 @@ fn run_klartext(text: &str, unit: f64, faces: &[Face]) -> Ran {
     panic!("does not end");
 }
 
-fn run(plan: &Plan, post: &PostDef, unit: f64, faces: &[Face]) -> Ran {
+pub fn run(plan: &Plan, post: &PostDef, unit: f64, faces: &[Face]) -> Ran {
     let text = &plan.program.text;
     match post.key {
         "heidenhain" => run_klartext(text, unit, faces),

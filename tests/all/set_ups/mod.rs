@@ -1,6 +1,6 @@
 //! Jobs with several cycles: one program, safe link moves, one write at the end.
 
-mod computed;
+pub mod computed;
 mod examples;
 pub mod follows;
 pub mod led;

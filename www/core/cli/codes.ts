@@ -69,6 +69,7 @@ export const CODES: Record<string, string> = {
   "machine-places": "A program moves to positions in machine coordinates: their work coordinates are unknown.",
   "macro-not-seen": "A macro that the program calls follows from the numbers of others: no source shows it on this control.",
   "macro-stops": "A macro of the control's own ends a run with an alarm.",
+  "measured-twice": "The program makes its moves twice: it writes only when it measures again, after the operator has seen the results.",
   missing: "Something that a job needs is not there.",
   "missing-code": "A dump lacks a code: the default is used.",
   "missing-parameter": "A program lacks a parameter: the form's default is used.",
