@@ -8,7 +8,7 @@
 pub enum Edition {
     #[default]
     Unknown,
-    /// Version 3.14 for Haas NGC.
+    /// Version 3.11 for Haas NGC.
     Haas,
     /// A-4013-0113 for Mazak.
     Mazak,
@@ -19,7 +19,7 @@ impl Edition {
     pub const fn word(self) -> &'static str {
         match self {
             Edition::Unknown => "unknown",
-            Edition::Haas => "haas-3.14",
+            Edition::Haas => "haas-ngc",
             Edition::Mazak => "mazak-a-4013-0113",
         }
     }
@@ -36,7 +36,7 @@ impl Edition {
     pub const fn name(self) -> Option<&'static str> {
         match self {
             Edition::Unknown => None,
-            Edition::Haas => Some("3.14 for Haas NGC"),
+            Edition::Haas => Some("3.11 for Haas NGC"),
             Edition::Mazak => Some("A-4013-0113 for Mazak"),
         }
     }

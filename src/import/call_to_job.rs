@@ -5,6 +5,7 @@
 //! \[I\].
 
 use crate::control::ProgramForm;
+use crate::control::edition::Edition;
 use crate::control::native::heidenhain::row;
 use crate::control::native::rows::{Probed, Shape};
 use crate::control::sinumerik::cycles::called;
@@ -18,6 +19,8 @@ pub(super) struct CallContext<'a> {
     pub name: &'a str,
     /// Control of the call, if its name tells: it supports the call and no plain moves.
     pub post: Option<&'static str>,
+    /// Edition of the macros that its program is for.
+    pub edition: Edition,
     /// Names and values of its arguments; NaN is unknown.
     pub arguments: &'a [(String, f64)],
     /// Position of the stylus in the program's units; NaN is unknown.
@@ -80,6 +83,10 @@ impl CallContext<'_> {
                 "control.form",
                 Value::Text(ProgramForm::Cycle.word().to_owned()),
             );
+        }
+        if self.edition != Edition::Unknown {
+            let edition = Value::Text(self.edition.word().to_owned());
+            set(&mut job, "machine.edition", edition);
         }
         if let Some(offset) = said.offset {
             set(&mut job, "control.workOffset", Value::Number(offset));
@@ -354,6 +361,7 @@ mod tests {
         CallContext {
             name,
             post: None,
+            edition: Edition::Unknown,
             arguments: &arguments,
             place,
             metric: true,
@@ -395,11 +403,7 @@ mod tests {
             hole.get("control")?.get("workOffset").cloned()
         };
         assert_eq!(written(103.0), Some(Value::Number(9.0)));
-        assert!(
-            ![Some(Value::Number(103.0)), None].contains(&written(154.0)),
-            "{:?}",
-            written(154.0)
-        );
+        assert_eq!(written(149.0), Some(Value::Null));
         assert_eq!(
             hole.get("control").and_then(|c| c.get("workOffset")),
             Some(&Value::Number(2.0))

@@ -32,7 +32,7 @@ fn letters_that_exclude_each_other_are_not_given_together() {
     let limited = "G65 P9814 D25. Q2. H0.5 M2. S1.";
     for (post, edition, wanted) in [
         ("mazak", "mazak-a-4013-0113", "G65 P9814 D25. Q2. M2. S1."),
-        ("mazak", "haas-3.14", limited),
+        ("mazak", "haas-ngc", limited),
         ("mazak", "unknown", limited),
         ("haas", "unknown", limited),
         ("fanuc", "mazak-a-4013-0113", "G65 P9814 D25. Q2. M2. S1."),
@@ -72,7 +72,7 @@ fn a_corrected_tool_leaves_the_position_unchecked_in_the_edition_for_mazak() {
     let wear = r#"{ "diameter": { "tolerance": "±0.05", "wear": { "tool": 5 } } }"#;
     let wear = touchpath::job::from_json(wear).unwrap();
     let of = |edition| with(&bore("mazak", edition, ""), "tolerances", wear.clone());
-    assert_eq!(call(&of("haas-3.14")), "G65 P9814 D25. Q2. T5. H0.5 M2.");
+    assert_eq!(call(&of("haas-ngc")), "G65 P9814 D25. Q2. T5. H0.5 M2.");
     assert_eq!(
         call(&of("mazak-a-4013-0113")),
         "G65 P9814 D25. Q2. T5. H0.5"
@@ -91,7 +91,7 @@ fn the_header_names_the_edition_and_the_way_back_has_it() {
     };
     for (edition, named, calibrated) in [
         ("unknown", None, "P9804"),
-        ("haas-3.14", Some("3.14 FOR HAAS NGC"), "P9804"),
+        ("haas-ngc", Some("3.11 FOR HAAS NGC"), "P9804"),
         (
             "mazak-a-4013-0113",
             Some("A-4013-0113 FOR MAZAK"),
@@ -127,8 +127,23 @@ fn an_edition_without_macros_has_no_effect() {
         r#"{ "post": "heidenhain", "form": "cycle" }"#,
     ] {
         let job = job(&format!(
-            r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "machine": {{ "edition": "haas-3.14" }}, "control": {control} }}"#
+            r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "machine": {{ "edition": "haas-ngc" }}, "control": {control} }}"#
         ));
         assert_eq!(warned(&job, "field-unused").len(), 1, "{control}");
     }
+}
+
+/// A call of a program for this edition becomes a job for it.
+#[test]
+fn a_call_of_its_program_becomes_a_job_for_the_edition() {
+    let text = "(RENISHAW INSPECTION PLUS A-4013-0113)\nG21 G90\nG65 P9810 X0. Y0. Z-10. F2000.\nG65 P9814 D25. Q2. S2.\n";
+    let path = touchpath::import::read_program(text, None);
+    let own = path.calls.last().and_then(|call| call.job.clone());
+    let job = own.expect("a job");
+    let at = |section: &str, key: &str| job.get(section).and_then(|s| s.get(key)).cloned();
+    let word = |word: &str| Some(Value::Text(word.to_owned()));
+    assert_eq!(at("machine", "edition"), word("mazak-a-4013-0113"));
+    assert_eq!(at("control", "post"), word("mazak"));
+    assert_eq!(at("control", "workOffset"), Some(Value::Number(2.0)));
+    assert_eq!(call(&job), "G65 P9814 D25. Q2. S2.");
 }

@@ -18,7 +18,10 @@ const SHARED: [Argument; 10] = [
     plain("F", "share of the error that the correction takes").within(0.0, 1.0),
     length("V", "error up to which nothing is corrected"),
     plain("W", "prints: 1 the next feature, 2 the next part").within(1.0, 2.0),
-    plain("S", "work offset that is written: 1 to 6 for G54 to G59"),
+    plain(
+        "S",
+        "work offset that is written: 1 to 6 for G54 to G59, 101 and following for G54.1 P1",
+    ),
     length("U", "error above which the program stops"),
 ];
 
@@ -285,7 +288,10 @@ pub static CALLS: [Call; 22] = [
 ];
 
 const SHARED_ON_MAZAK: [Argument; 11] = [
-    SHARED[0],
+    length(
+        "Q",
+        "how far the touch searches behind the nominal surface, by the ball's centre; 10 mm unless it is given, 5 along Z",
+    ),
     SHARED[1],
     SHARED[2],
     SHARED[3],

@@ -1,4 +1,4 @@
-//! Moves of each macro, from its arguments and the stylus position: behaviour of the macros, version 3.14 for Haas NGC [S]; their feeds and the back-off
+//! Moves of each macro, from its arguments and the stylus position: behaviour of the macros, version 3.11 for Haas NGC [S]; their feeds and the back-off
 //! between the two touches are settings of an installation [I: those of that edition].
 
 use crate::control::edition::Edition;

@@ -150,21 +150,44 @@ pub(super) fn is_centroid(text: &str) -> bool {
     })
 }
 
-/// Edition of Renishaw's macros that a program is for: Mazak's by a comment that names it, or by letters that only its macros have.
+/// Edition of Renishaw's macros that a program is for: Mazak's by a comment that begins with its name, or by a call with letters that only its macros have.
 pub(super) fn edition(text: &str) -> Edition {
-    let of_mazak = |line: &str| {
-        let code = &line[..comment_at(line.as_bytes(), true).unwrap_or(line.len())];
-        let has = |letter: char| code.contains([letter, letter.to_ascii_lowercase()]);
-        let calls = |number: &str| code.contains(number);
-        line.contains("A-4013-0113")
-            || calls("9817") && has('D') && has('E')
-            || (calls("9801") || calls("9818")) && has('K')
-    };
-    if lines_of(text).take(MOST_LINES).any(of_mazak) {
+    if lines_of(text).take(MOST_LINES).any(is_for_mazak) {
         Edition::Mazak
     } else {
         Edition::Unknown
     }
+}
+
+fn is_for_mazak(line: &str) -> bool {
+    const NAMES: [&str; 2] = ["(RENISHAW", "(EDITION OF THE MACROS"];
+    if line.contains("A-4013-0113") {
+        let line = line.trim_start().to_ascii_uppercase();
+        return NAMES.iter().any(|name| line.starts_with(name));
+    }
+    // Only few lines have one of these numbers.
+    if !["9801", "9817", "9818"]
+        .iter()
+        .any(|number| line.contains(number))
+    {
+        return false;
+    }
+    let code = &line[..comment_at(line.as_bytes(), true).unwrap_or(line.len())];
+    let code: String = code
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .map(|c| c.to_ascii_uppercase())
+        .collect();
+    let given = |number: &str| {
+        let (_, letters) = code.split_once("G65P")?.1.split_once(number)?;
+        letters
+            .starts_with(|c: char| !c.is_ascii_digit())
+            .then_some(letters)
+    };
+    given("9817").is_some_and(|letters| letters.contains('D') && letters.contains('E'))
+        || ["9801", "9818"]
+            .iter()
+            .any(|number| given(number).is_some_and(|letters| letters.contains('K')))
 }
 
 /// A line up to the text in it, including the opening quote.

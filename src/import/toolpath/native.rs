@@ -70,12 +70,14 @@ pub(super) fn listed(
     let post = match name {
         _ if name.starts_with("G65 P88") => Some("brother"),
         _ if name.starts_with("CALL O") => Some("okuma"),
+        _ if name.starts_with("G65 P98") && path.edition == Edition::Mazak => Some("mazak"),
         _ => None,
     };
     let job = call.filter(|_| !path.centroid).and_then(|call| {
         CallContext {
             name: call.name,
             post,
+            edition: path.edition,
             arguments: &arguments,
             place,
             metric,
