@@ -2,7 +2,6 @@
 
 use crate::control::ProgramForm;
 use crate::control::corrections::correction;
-use crate::control::iso::script::ToolRegister;
 use crate::form::{Checker, Section, Value, printable};
 use crate::formula::{self, Formula, ResultDef, Role, Tolerance, ToleranceAction, Wear};
 use crate::job::Job;
@@ -180,24 +179,26 @@ fn check_stores(checker: &mut Checker, form: ProgramForm, formula: &Formula, giv
     }
 }
 
-/// Reports results that a program of moves would correct one register by: each would change it by its own error.
+/// Reports results that a program would correct one register by: each would change it by its own error.
 #[inline(never)]
 fn check_registers(checker: &mut Checker, job: &Job, formula: &Formula, given: &[Given<'_>]) {
-    let Some(table) = job.post.tools.filter(|_| job.form == ProgramForm::Moves) else {
-        return;
+    // Table and number of the tool. Native cycles choose the table by themselves.
+    let register = |given: &Given<'_>| -> Option<(i32, i32)> {
+        let result = &formula.results[given.index];
+        if job.form == ProgramForm::Cycle {
+            return Some((0, result.tolerance?.wear?.tool));
+        }
+        let settings = (job.post.tools?, job.tool_offsets, &job.limits);
+        let own = correction(settings, (given.index, result))?.register;
+        Some((own.table, own.tool))
     };
-    let settings = (table, job.tool_offsets, &job.limits);
-    let register = |given: &Given<'_>| {
-        let own = correction(settings, (given.index, &formula.results[given.index]))?;
-        Some(own.register)
-    };
-    let all: Vec<Option<ToolRegister>> = given.iter().map(register).collect();
+    let all: Vec<Option<(i32, i32)>> = given.iter().map(register).collect();
     for (given, own) in given.iter().zip(&all) {
         let same = all.iter().filter(|other| *other == own).count();
-        if let Some(own) = own.filter(|_| same > 1) {
+        if let Some((_, tool)) = own.filter(|_| same > 1) {
             let message = text!(
                 "Several results correct one register of tool {tool}: the changes would add up. Correct it by one of them",
-                own.tool
+                tool
             );
             let at = format!("{TOLERANCES}.{}.wear.tool", printable(given.key));
             checker.error("wear-unsupported", at, message);

@@ -174,14 +174,22 @@ pub fn report_macros(
         };
         let (result, tool) = (Text::words(def.meaning), wear.tool);
         let off = checker.length(error);
-        let message = if own == CorrectsTools::WholeError {
+        let beyond = limit.is_some_and(|limit| error.abs() >= limit);
+        let message = if own == CorrectsTools::WholeError && beyond {
+            text!(
+                "{result} is off by {error}: the cycle stops the program, and may have corrected DR of tool {tool} by then",
+                result,
+                off,
+                tool
+            )
+        } else if own == CorrectsTools::WholeError {
             text!(
                 "{result} is off by {error}: the cycle corrects DR of tool {tool}, also within the tolerance",
                 result,
                 off,
                 tool
             )
-        } else if limit.is_some_and(|limit| error.abs() >= limit) {
+        } else if beyond {
             text!(
                 "{result} is off by {error}: the macro stops with an alarm. Tool offset {tool} stays, unless the program is continued",
                 result,

@@ -335,6 +335,12 @@ fn a_heidenhain_names_the_tool_in_its_cycle() {
         said,
         ["Diameter is off by 0.03 mm: the cycle corrects DR of tool 5, also within the tolerance"]
     );
+    let far = planned(&bore("heidenhain", r#"{ "tool": 5 }"#, 2.0)).findings;
+    assert!(
+        far.iter()
+            .any(|f| f.code == "tool-corrected" && f.message.contains("may have corrected DR")),
+        "{far:?}"
+    );
     assert_eq!(
         tools(&bore("heidenhain", "null", 0.0)),
         ["Q330=+0 ;TOOL NUMBER"]
@@ -373,6 +379,30 @@ fn a_heidenhain_names_the_tool_in_its_cycle() {
     );
     let text = planned(&bored).program.text;
     assert_eq!(planned(&import(&text).unwrap().job).program.text, text);
+}
+
+/// Each macro would correct the tool by its own error, so that a tool that is off by 0.02 becomes wrong by 0.02 the other way.
+#[test]
+fn two_results_do_not_correct_one_tool() {
+    for post in ["haas", "mazak", "heidenhain"] {
+        let two = |other: i32| {
+            job(&format!(
+                r#"{{ "format": 2, "control": {{ "post": "{post}", "form": "cycle" }},
+                    "cycles": [ {{ "name": "ONE", "type": "hole" }}, {{ "name": "TWO", "type": "hole", "origin": [0, 100, 0] }} ],
+                    "tolerances": {{ "ONE.diameter": {{ "tolerance": "±0.1", "wear": {{ "tool": 8 }} }},
+                        "TWO.diameter": {{ "tolerance": "±0.1", "wear": {{ "tool": {other} }} }} }} }}"#
+            ))
+        };
+        assert_eq!(
+            refused(&two(8)),
+            [
+                "wear-unsupported tolerances.ONE.diameter.wear.tool",
+                "wear-unsupported tolerances.TWO.diameter.wear.tool"
+            ],
+            "{post}"
+        );
+        planned(&two(9));
+    }
 }
 
 /// The header contains it, and it is read back; in inch the dead band is the same length.
