@@ -1,6 +1,6 @@
 //! Summary of what a program writes to the control's tables, in one sentence. Header, list of controls, panel and setup sheet all show it.
 
-use crate::control::{ProgramForm, Request};
+use crate::control::{Family, ProgramForm, Request};
 use crate::geom::AXIS_NAMES;
 use crate::path::{Feature, ParameterValue, TwoCircles};
 use crate::text::{Text, text};
@@ -193,14 +193,8 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
         (Some(_), None) if request.corrects_tools() => {
             ": at the very end, the tool by the mean error of several parts"
         }
-        (None, None) if request.post.key == "heidenhain" && !request.tools().is_empty() => {
-            ": by the cycle, as soon as the size is measured. No work offset is written"
-        }
-        (None, None) if !request.tools().is_empty() => {
-            ": by the macros, as soon as the size is measured. No work offset is written"
-        }
-        (Some(_), None) if !request.tools().is_empty() => {
-            ": by the macros, as soon as each has measured"
+        (offset, None) if !request.tools().is_empty() => {
+            return sentence(request) + &by_calls(request, offset.is_some());
         }
         (None, None) if request.dry.is_some() => ", in the work offset that is active",
         (None, None) => ", in the work offset that is active: nothing is written",
@@ -209,6 +203,27 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
         (Some(_), None) => how,
     };
     sentence(request) + how
+}
+
+/// How native cycles correct tools, and write a work offset besides.
+fn by_calls(request: &Request<'_>, writes: bool) -> String {
+    let heidenhain = request.post.family == Family::Heidenhain;
+    let by = match (heidenhain, writes) {
+        (true, false) => "the cycle",
+        (true, true) => "the cycles",
+        (false, _) => "the macros",
+    };
+    let when = match (request.measures_first(), writes) {
+        (true, _) => "after the results were shown",
+        (false, true) => "as soon as each has measured",
+        (false, false) => "as soon as the size is measured",
+    };
+    let rest = match writes {
+        true if heidenhain => ". Cycle 247 activates the row at the end",
+        true => "",
+        false => ". No work offset is written",
+    };
+    format!(": by {by}, {when}{rest}")
 }
 
 /// The summary with a capital.

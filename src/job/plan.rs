@@ -7,7 +7,7 @@ use crate::control::release::{Refusal, release};
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
 use crate::control::shop;
-use crate::control::{Ask, HeaderDetail, ProgramForm, Request};
+use crate::control::{Ask, HeaderDetail, ProgramForm, Request, ResultOutput};
 use crate::form::{Checker, Finding, Value};
 use crate::formula::{self, Role};
 use crate::geom::Vec3;
@@ -28,8 +28,7 @@ use crate::job::{
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{
-    CallSequence, Feature, Feeds, MOST_ASKEW, MovePurpose, Path, RAPID_RATE, SHORTEST_TOUCH,
-    TouchError,
+    Feature, Feeds, MOST_ASKEW, MovePurpose, Path, RAPID_RATE, SHORTEST_TOUCH, TouchError,
 };
 use crate::text::{Text, text};
 
@@ -568,6 +567,30 @@ fn results_of(planned: &PlannedJob, checker: &mut Checker) -> Result<Vec<ResultR
     Ok(results)
 }
 
+/// Reports what a program of native cycles needs to ask before it writes, and that it measures twice.
+#[inline(never)]
+fn report_measured_twice(request: &Request<'_>, checker: &mut Checker) {
+    if request.ask == Ask::Outside {
+        checker.error(
+            "ask-unsupported",
+            "control.ask",
+            text!("A program of native cycles always asks: set control.ask to \"always\""),
+        );
+    } else if request.report != ResultOutput::Screen {
+        checker.error(
+            "ask-unsupported",
+            "control.ask",
+            text!("A program that asks shows its results on the screen: set control.report to \"screen\""),
+        );
+    } else {
+        checker.info(
+            "measured-twice",
+            "control.ask",
+            text!("The program makes its moves twice: it measures and shows the results, and after cycle start it measures again and writes"),
+        );
+    }
+}
+
 /// Makes the plan, without its table. `value` is the given job, `checker` has the findings of the check.
 pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let PlannedJob { job, path, run, .. } = planned;
@@ -584,20 +607,8 @@ pub fn make(planned: &PlannedJob, value: &Value, mut checker: Checker) -> Result
     }
     shop::check(&request, &mut checker);
     let asks = request.writes_tables() || request.measures_first() || request.corrects_preset();
-    // Calls of their own measure first on a HEIDENHAIN, and no word of them follows a result.
-    let follows = |own: &CallSequence| !own.measuring.is_empty() && !own.shifted.is_empty();
-    if request.measures_first() && path.calls.as_deref().is_some_and(follows) {
-        checker.error(
-            "ask-unsupported",
-            "control.ask",
-            text!("A cycle follows a result: the cycles cannot all measure before the first of them writes"),
-        );
-    } else if request.measures_first() {
-        checker.info(
-            "measured-twice",
-            "control.ask",
-            text!("The program makes its moves twice: it measures and shows the results, and after cycle start it measures again and writes"),
-        );
+    if request.measures_first() {
+        report_measured_twice(&request, &mut checker);
     }
     if request.ask != Ask::Never && !asks && !request.post.unused.contains(&ASK) {
         checker.info(
@@ -1009,7 +1020,8 @@ fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
         length += way;
         time += minutes;
     }
-    (tidy(length / job.scale), tidy(time))
+    let times = if request.measures_first() { 2.0 } else { 1.0 };
+    (tidy(times * length / job.scale), tidy(times * time))
 }
 
 /// Time of each move, minutes; their sum is the plan's time.

@@ -82,7 +82,8 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Rejections) {
         clear,
         wear: &job.wear,
         edition: job.edition,
-        measures_first: job.ask != Ask::Never && job.work_offset.is_some(),
+        measures_first: job.ask != Ask::Never
+            && (job.work_offset.is_some() || !job.wear.is_empty()),
         takes_moves: (job.post.supports)(job.def.probes, ProgramForm::Moves).is_ok(),
     };
     let own = (cycles.plan)(

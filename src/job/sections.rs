@@ -226,7 +226,7 @@ const EDITIONS: &[Choice] = &[
     },
     Choice {
         value: Edition::Haas.word(),
-        label: "3.14 for Haas NGC",
+        label: "3.11 for Haas NGC",
     },
     Choice {
         value: Edition::Mazak.word(),
@@ -942,7 +942,7 @@ fn check_work_offset(checker: &mut Checker, post: &PostDef, control: &Control) {
     }
 }
 
-/// A program that asks shows its results, and measures without a write first.
+/// A program that asks shows its results. Whether one of native cycles writes at all is known when it is planned.
 fn check_ask(checker: &mut Checker, post: &PostDef, control: &Control) {
     let ask = Ask::named(&control.ask);
     if ask == Ask::Never || control.work_offset.is_none() {
@@ -956,13 +956,7 @@ fn check_ask(checker: &mut Checker, post: &PostDef, control: &Control) {
             path,
             text!("The native cycle measures and writes in one block: it cannot ask first"),
         );
-    } else if native && ask == Ask::Outside {
-        checker.error(
-            "ask-unsupported",
-            path,
-            text!("A program of native cycles always asks: set control.ask to \"always\""),
-        );
-    } else if ResultOutput::named(&control.report) != ResultOutput::Screen {
+    } else if !native && ResultOutput::named(&control.report) != ResultOutput::Screen {
         checker.error(
             "ask-unsupported",
             path,

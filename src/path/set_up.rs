@@ -489,6 +489,8 @@ impl Path {
             self.calls = Some(own.clone());
             return;
         };
+        // Cycles of other numbers measure first on some controls: only for one cycle.
+        whole.measuring.clear();
         whole.blocks.extend(compute.map(|compute| (compute, 0)));
         let (mut from, mut was) = (self.moves[before - 1].to, &self.shifts[before - 1]);
         let first = path.moves.first().map(|step| step.to);
@@ -520,7 +522,6 @@ impl Path {
             }
             whole.blocks.push((block.clone(), *moves));
         }
-        whole.measuring.extend(own.measuring.iter().cloned());
         whole.guards.extend(own.guards.iter().cloned());
     }
 

@@ -6,7 +6,7 @@ use crate::common::sinumerik::Machine;
 use crate::common::{import, interpret, job, number, on_virtual_part, planned, with};
 use crate::tests::set_ups::computed::{faces, on_part, run as run_calls};
 use touchpath::control::POSTS;
-use touchpath::form::Value;
+use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, check_program, plan};
 
 const WRITING: [&str; 4] = ["linuxcnc", "sinumerik", "fanuc", "haas"];
@@ -371,23 +371,28 @@ fn macros_measure_without_a_write_first() {
     }
 }
 
-/// A top, and a bore that may be as far below it as the drawing says.
+/// A top, and a bore that follows its height.
 const BORE_BELOW_TOP: &str = r#"{ "format": 2, "control": { "form": "cycle", "ask": "always", "workOffset": 3 }, "limits": { "position": 1 }, "cycles": [
     { "name": "TOP", "type": "surface", "origin": [-35, 0, 0] },
-    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [0, 0, HEIGHT] } ] }"#;
+    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [0, 0, "=TOP.z"] } ] }"#;
 
-/// The simulated machine touches the same points twice, on a displaced part, also where cycles follow results.
+const ONE_BORE: &str = r#"{ "format": 1, "control": { "form": "cycle", "ask": "always", "workOffset": 3 },
+    "cycle": { "type": "hole", "diameter": 25, "origin": [0, 0, 0] } }"#;
+
+/// The simulated machine touches the same points twice, on a displaced part, also where a cycle follows a result.
 #[test]
 fn a_program_that_measures_first_touches_everything_twice() {
-    for post in ["fanuc", "haas", "mazak", "heidenhain"] {
-        let following = post != "heidenhain";
+    for (post, text) in [
+        ("fanuc", BORE_BELOW_TOP),
+        ("haas", BORE_BELOW_TOP),
+        ("mazak", BORE_BELOW_TOP),
+        ("heidenhain", ONE_BORE),
+    ] {
         let offset = [0.3, -0.2, 0.1];
-        let height = if following { "\"=TOP.z\"" } else { "0" };
-        let text = BORE_BELOW_TOP.replace("HEIGHT", height);
-        let job = on_part(&text, post, false, offset);
+        let job = on_part(text, post, false, offset);
         let def = POSTS.iter().find(|def| def.key == post).expect("a control");
-        let faces = faces(true, offset);
-        let ran = run_calls(&planned(&job), def, 1.0, &faces);
+        let asking = planned(&job);
+        let ran = run_calls(&asking, def, 1.0, &faces(true, offset));
         assert_eq!(ran.stopped, None, "{post}");
         let half = ran.contacts.len() / 2;
         assert!(half >= 4 && ran.contacts.len() == 2 * half, "{post}");
@@ -399,10 +404,83 @@ fn a_program_that_measures_first_touches_everything_twice() {
                 );
             }
         }
-        if !following {
-            let rows: Vec<(u32, &str)> =
-                ran.rows.iter().map(|(n, row)| (*n, row.as_str())).collect();
-            assert_eq!(rows, [(417, "3"), (412, "3"), (247, "3")]);
+        if post == "heidenhain" {
+            let rows = ran.rows.iter().map(|(n, row)| (*n, row.as_str()));
+            assert_eq!(rows.collect::<Vec<_>>(), [(412, "3"), (247, "3")]);
+        }
+        // All moves are made twice.
+        let once = planned(&with(&job, "control.ask", Value::Text("never".to_owned())));
+        assert!((asking.length - 2.0 * once.length).abs() < 1e-6, "{post}");
+        assert!((asking.time - 2.0 * once.time).abs() < 1e-9, "{post}");
+    }
+}
+
+/// A tool is corrected after the question, too: before it no call names it.
+#[test]
+fn no_tool_is_corrected_before_the_question() {
+    let wear = r#"{ "diameter": { "tolerance": "±0.05", "wear": WEAR } }"#;
+    let asking = |post: &str, wear_as: &str, report: &str, ask: &str| {
+        let wear = touchpath::job::from_json(&wear.replace("WEAR", wear_as)).unwrap();
+        let job = with(
+            &bore(post, ask, 0.0),
+            "control.form",
+            Value::Text("cycle".to_owned()),
+        );
+        let job = with(&job, "control.workOffset", Value::Null);
+        let job = with(&job, "cycle.diameter", number(25.0));
+        let job = with(&job, "control.report", Value::Text(report.to_owned()));
+        with(&job, "tolerances", wear)
+    };
+    let text = planned(&asking(
+        "haas",
+        r#"{ "tool": 5, "percent": 50, "deadBand": 0.01 }"#,
+        "screen",
+        "always",
+    ))
+    .program
+    .text;
+    let [before, after] = halves(&text, "\nM0\n");
+    let call = "G65 P9814 D25. Q2.";
+    assert!(before.contains(&format!("{call} H0.5\n")), "{text}");
+    assert!(
+        after.contains(&format!("{call} T5. F0.5 V0.005 H0.5\n")),
+        "{text}"
+    );
+    assert!(
+        before.contains("(CORRECTS TOOL OFFSET 5: BY THE MACROS, AFTER THE RESULTS WERE SHOWN."),
+        "{text}"
+    );
+    let mean = r#"{ "tool": 5, "parts": 3, "store": 20 }"#;
+    let text = planned(&asking("haas", mean, "screen", "always"))
+        .program
+        .text;
+    let [before, after] = halves(&text, "\nM0\n");
+    assert!(
+        !before.contains("G65 P9835") && after.contains("G65 P9835 T5."),
+        "{text}"
+    );
+    let text = planned(&asking(
+        "heidenhain",
+        r#"{ "tool": 5 }"#,
+        "screen",
+        "always",
+    ))
+    .program
+    .text;
+    let tools: Vec<&str> = text.lines().filter(|line| line.contains("Q330=")).collect();
+    assert_eq!(
+        tools,
+        ["    Q330=+0 ;TOOL NUMBER", "    Q330=+5 ;TOOL NUMBER"]
+    );
+    let [first, _] = halves(&text, "Q330=+5");
+    assert!(first.contains("Q281=+2 "), "{text}");
+    for (report, ask) in [("log", "always"), ("screen", "outside")] {
+        for post in ["haas", "heidenhain"] {
+            let error = plan(&asking(post, r#"{ "tool": 5 }"#, report, ask)).expect_err("refused");
+            assert!(
+                error.findings.iter().any(|f| f.code == "ask-unsupported"),
+                "{post} {report} {ask}"
+            );
         }
     }
 }
@@ -435,7 +513,6 @@ fn cycles_of_a_heidenhain_measure_first() {
         back.findings
     );
     assert_eq!(planned(&back.job).program.text, text);
-    // The measuring cycle checks the limits, which the writing one cannot.
     let unchecked = |ask: &str| {
         let job = with(&job, "control.ask", Value::Text(ask.to_owned()));
         let findings = planned(&job).findings;
@@ -443,14 +520,22 @@ fn cycles_of_a_heidenhain_measure_first() {
             .iter()
             .any(|finding| finding.code == "limits-not-asked")
     };
-    assert!(unchecked("never") && !unchecked("always"));
+    // It is the second measurement that is written.
+    assert!(unchecked("never") && unchecked("always"));
     assert!(measuring.contains("Q309=+1 "), "{text}");
-    // No word of a measuring cycle follows a result.
-    let follows = BORE_BELOW_TOP.replace("HEIGHT", "\"=TOP.z\"").replace(
-        "\"cycles\"",
-        r#""datum": { "x": "BORE.center.x", "y": "BORE.center.y", "z": null }, "cycles""#,
-    );
-    let refused = plan(&on_part(&follows, "heidenhain", false, [0.0; 3])).expect_err("refused");
-    let codes: Vec<&str> = refused.findings.iter().map(|f| f.code.as_str()).collect();
-    assert!(codes.contains(&"ask-unsupported"), "{codes:?}");
+    // In a set-up not all of them can measure first; three touches are for cycles that write only.
+    let three = r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle", "ask": "ASK", "workOffset": 1 },
+        "cycle": { "type": "hole", "diameter": 25, "variant": 1, "angularStep": 120, "stepCount": 3 } }"#;
+    let two = r#"{ "format": 2, "control": { "post": "heidenhain", "form": "cycle", "ask": "ASK", "workOffset": 3 }, "cycles": [
+        { "name": "A", "type": "surface", "origin": [-35, 0, 0] }, { "name": "B", "type": "hole", "diameter": 25 } ] }"#;
+    for text in [two, three] {
+        let asking = |ask: &str| crate::common::job(&text.replace("ASK", ask));
+        planned(&asking("never"));
+        let refused = plan(&asking("always")).expect_err("refused").findings;
+        let errors = refused
+            .iter()
+            .filter(|finding| finding.level == Level::Error);
+        let codes: Vec<&str> = errors.map(|finding| finding.code.as_str()).collect();
+        assert_eq!(codes, ["ask-unsupported"], "{text}");
+    }
 }

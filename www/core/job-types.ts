@@ -703,7 +703,7 @@ export interface Job {
     /** Permissible stylus deflection after contact, from the probe's data sheet: 3 to 12 mm sideways. */
     deflection?: number;
     /** Edition of Renishaw's macros on the machine, from the top of its programs. Editions differ in the letters that exclude each other, and in calibration. */
-    edition?: "unknown" | "haas-3.14" | "mazak-a-4013-0113";
+    edition?: "unknown" | "haas-ngc" | "mazak-a-4013-0113";
     /** Lines of your shop at fixed places of the program: tool change, probe on, safe position. {tool}, {offset}, {axis}, {feed}, {clearance} and {name} become values of the job. A line must not write an offset, jump, or move below the clearance. `null`: none. */
     frame?: { head?: string[]; probeOn?: string[]; beforeFirstMove?: string[]; beforeWrite?: string[]; probeOff?: string[]; foot?: string[]; onAlarm?: string[] } | null;
   };

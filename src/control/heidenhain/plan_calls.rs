@@ -93,11 +93,17 @@ fn plan_calls(request: &NativeRequest<'_>, meets: ContactQuery<'_>) -> Result<Pa
     if let Some(own) = path.calls.as_mut().filter(|_| request.measures_first) {
         let measuring = NativeRequest {
             work_offset: None,
+            wear: &[],
             measures_first: false,
             ..*request
         };
-        let measuring = plan_calls(&measuring, meets)?.calls;
-        own.measuring = measuring.map_or_else(Vec::new, |own| own.blocks);
+        let measuring = plan_calls(&measuring, meets).map_err(|_| {
+            let message = text!(
+                "No cycle that only measures takes this feature as the job has it: the program cannot show the results before it writes"
+            );
+            native_run::refused("ask-unsupported", "control.ask", message)
+        })?;
+        own.measuring = measuring.calls.map_or_else(Vec::new, |own| own.blocks);
     }
     Ok(path)
 }
@@ -587,6 +593,13 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.length(farthest)
     );
     checker.info("dist-needed", "overtravel", message);
+    let lacks = |own: &CallSequence| own.measuring.is_empty();
+    if request.measures_first() && request.path.calls.as_deref().is_some_and(lacks) {
+        let message = text!(
+            "In a set-up the cycles of this control cannot all measure before the first of them writes: it cannot ask first"
+        );
+        checker.error("ask-unsupported", "control.ask", message);
+    }
     check_write(request, checker);
     let own = request.path.calls.iter();
     let own = own.flat_map(|own| own.measuring.iter().chain(&own.blocks));
@@ -605,9 +618,14 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if let Some(row) = request.work_offset {
         let limited = request.limits.position.is_some() || request.limits.size.is_some();
-        if limited && !request.measures_first() {
+        if limited && request.measures_first() {
             let message = text!(
-                "The cycles that write a preset have no tolerances: they write their results without a check of the limits. Set control.ask to \"always\": the program then measures with the limits first"
+                "The cycles that write a preset have no tolerances: only the first measurement is compared with the limits, not the second one, which is written. Beyond a limit the program stops, and who starts it again lets it write"
+            );
+            checker.warning("limits-not-asked", "limits", message);
+        } else if limited {
+            let message = text!(
+                "The cycles that write a preset have no tolerances: they write their results without a check of the limits. Measure without a work offset first"
             );
             checker.warning("limits-not-asked", "limits", message);
         }
@@ -701,7 +719,9 @@ pub(super) fn emit(request: &Request<'_>, own: &CallSequence, name: &str) -> Pro
     let mut made = 1;
     let mut functions = Functions::of(request, own);
     if !own.measuring.is_empty() {
-        w.comment("First it measures and shows the results. Cycle start measures again and writes");
+        w.comment(
+            "First it measures and shows the results. Cycle start then measures again and writes",
+        );
     }
     for (block, _) in &own.measuring {
         if let CallBlock::Cycle(number, parameters) = block {

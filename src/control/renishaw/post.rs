@@ -1,6 +1,6 @@
 //! Programs of calls to Renishaw's macros.
 //!
-//! Sources: the macros themselves (version 3.14 for Haas NGC), the post that the CAM's maker publishes and those of another, shop programs [S]. Ours, and
+//! Sources: the macros themselves (version 3.11 for Haas NGC), the post that the CAM's maker publishes and those of another, shop programs [S]. Ours, and
 //! marked [I] in the docs: Q as the overtravel less the ball radius, R as the side clearance less it, heights as those of the stylus tip, the variables #101
 //! and following for results that the next call overwrites.
 
@@ -233,7 +233,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     if request.measures_first() {
         makes_calls(&mut w, (request, own, calls), Run::Before, &mut alarms);
         w.comment(&format!(
-            "Read the results now: {}. Cycle start measures again and writes, RESET leaves everything as it was",
+            "Read the results now: {}. Cycle start measures again and writes. RESET writes nothing: start at the top then",
             names.join(", ")
         ));
         w.line("M0");
