@@ -61,7 +61,7 @@ fn letters_that_exclude_each_other_are_not_given_together() {
     assert_eq!(
         asked,
         [
-            "machine.edition: Edition A-4013-0113 of Renishaw's macros refuses S beside H: it stops with an alarm before it measures. State the edition on your machine, as the top of its macros has it"
+            "machine.edition: Edition A-4013-0113 of Renishaw's macros stops with an alarm for S beside H: state the edition on your machine"
         ]
     );
 }

@@ -182,7 +182,7 @@ fn check_edition(request: &Request<'_>, own: &CallSequence, checker: &mut Checke
     });
     if let Some((one, other)) = refused {
         let message = text!(
-            "Edition A-4013-0113 of Renishaw's macros refuses {one} beside {other}: it stops with an alarm before it measures. State the edition on your machine, as the top of its macros has it",
+            "Edition A-4013-0113 of Renishaw's macros stops with an alarm for {one} beside {other}: state the edition on your machine",
             (*one).to_owned(),
             (*other).to_owned()
         );
@@ -304,7 +304,8 @@ fn makes_calls(
     run: Run,
     alarms: &mut Vec<String>,
 ) {
-    let path = run != Run::Before;
+    // The moves of the path are those of the first run.
+    let path = run != Run::Again;
     if !request.path.moves.is_empty() {
         w.names_cycle(0);
         if calls.switches && run != Run::Again {
