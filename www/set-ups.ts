@@ -132,6 +132,30 @@ export const SET_UPS: SetUpEntry[] = [
       ],
     },
   },
+  {
+    key: "drift",
+    name: w("Drift check"),
+    says: w(
+      "A bore before and after the other features: the program stops if it has moved. Writes nothing.",
+    ),
+    writes: false,
+    job: {
+      cycles: [
+        hole("BEFORE", 0, 0),
+        { name: "STUD", type: "boss", diameter: 20, origin: [80, 0, 0] },
+        hole("AFTER", 0, 0),
+      ],
+      relations: ["x", "y"].map((axis) => ({
+        name: `DRIFT${axis.toUpperCase()}`,
+        type: "difference",
+        of: [`AFTER.center.${axis}`, `BEFORE.center.${axis}`],
+      })),
+      tolerances: {
+        "DRIFTX.difference": { tolerance: "±0.02", action: "stop" },
+        "DRIFTY.difference": { tolerance: "±0.02", action: "stop" },
+      },
+    },
+  },
 ];
 
 /** The set-ups that the control of the job can write as their cards promise, in the form of the job or else in moves, and that the host page allows. */

@@ -435,11 +435,12 @@ test("a ready set-up is not offered where the page around fixes what it would ch
   const all = SET_UPS.map(({ key }) => key);
   assert.deepEqual(offered({}), all);
   assert.deepEqual(offered({ allow: { setUps: false } }), []);
-  // Two of them need a limit of the position; the report writes no work offset.
+  // Two of them need a limit of the position; the report and the drift check write no work offset.
   const locked = { locked: true };
   assert.deepEqual(offered({ fields: { "limits.position": locked } }), [
     "plate",
     "first-article",
+    "drift",
   ]);
   assert.deepEqual(offered({ allow: { workOffsets: [1] } }), [
     "vise",

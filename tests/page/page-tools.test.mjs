@@ -90,7 +90,7 @@ test("the gallery: small pictures, search by name or number, a cycle chosen", as
   const cards = page.locator("tp-gallery li:visible:has([data-type])");
   await cards.first().waitFor();
   assert.equal(await cards.count(), 19);
-  assert.equal(await page.locator("tp-gallery [data-set-up]").count(), 4);
+  assert.equal(await page.locator("tp-gallery [data-set-up]").count(), 5);
   const drawn = await page.locator("tp-gallery canvas").evaluateAll((all) =>
     all.map((node) => {
       const canvas = /** @type {HTMLCanvasElement} */ (node);
@@ -105,7 +105,7 @@ test("the gallery: small pictures, search by name or number, a cycle chosen", as
   );
   assert.equal(
     drawn.length,
-    4 + 17,
+    5 + 17,
     "the ready set-ups; two types have no motion",
   );
   assert.ok(

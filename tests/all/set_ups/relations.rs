@@ -4,7 +4,7 @@ use super::super::draws::drawn_spreads;
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{import, interpret, job, on_virtual_part, planned, with};
+use crate::common::{import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
 use crate::tests::controls::{computing, of_moves, skipping, without};
 use touchpath::describe::catalog;
 use touchpath::form::{Level, Value};
@@ -785,4 +785,53 @@ fn a_difference_of_residuals_is_proven_on_a_straight_part() {
         1e-5,
         "two straight walls",
     );
+}
+
+/// A bore before and after a stud. The part that moves by 0.05 in between stops the program before it writes the stud's place; a move of 0.01 does not.
+/// Judges: LinuxCNC's interpreter, the tests' own Haas and SINUMERIK.
+#[test]
+fn a_part_that_moves_in_between_stops_the_program() {
+    const DRIFT: &str = include_str!("../../../examples/set-ups/drift.json");
+    for post in ["linuxcnc", "haas", "fanuc", "sinumerik"] {
+        for (moved, stops) in [
+            ([0.01, -0.01], false),
+            ([0.05, 0.0], true),
+            ([0.0, -0.05], true),
+        ] {
+            let job = with(&job(DRIFT), "control.post", Value::Text(post.to_owned()));
+            let mut plan = planned(&job);
+            let last = plan.triggers.len() - 4;
+            // Each contact moves along the direction of its touch.
+            for (trigger, touch) in plan.triggers[last..].iter_mut().zip(&plan.touches[last..]) {
+                let trigger = trigger.as_mut().expect("a contact");
+                for axis in [0, 1] {
+                    trigger[axis] += moved[axis] * touch.vector[axis].abs();
+                }
+            }
+            let (stopped, wrote) = match post {
+                "linuxcnc" => {
+                    let (ran, why) = interpret_until_stop(&on_virtual_part(&plan));
+                    (why, ran.written.is_some())
+                }
+                "sinumerik" => {
+                    let mut machine = Machine::new(plan.triggers.clone());
+                    let program = read(&plan.program.text).expect("a program");
+                    machine.run(&program).expect("it runs");
+                    (machine.alarm.map(|_| machine.message), machine.writes > 0)
+                }
+                _ => {
+                    let mut control = Control::new(post == "haas", false);
+                    control.at = [0.0, 0.0, 200.0];
+                    control.contacts = plan.triggers.iter().flatten().copied().collect();
+                    control
+                        .variables
+                        .extend((5221..5224).map(|origin| (origin, 0.0)));
+                    control.run(&plan.program.text).expect("it runs");
+                    (control.alarm, !control.writes.is_empty())
+                }
+            };
+            assert_eq!(wrote, !stops, "{post} {moved:?} {stopped:?}");
+            assert_eq!(stopped.is_some(), stops, "{post} {moved:?} {stopped:?}");
+        }
+    }
 }
