@@ -1,6 +1,6 @@
 //! Editions of Renishaw's macros. They share their numbers, but not every letter.
 //!
-//! Sources: the macros of the edition for Haas NGC, version 3.14 [S]; for Mazak's A-4013-0113 one shop's program that was written with the macros and the
+//! Sources: the macros of the edition for Haas NGC, version 3.11 [S]; for Mazak's A-4013-0113 one shop's program that was written with the macros and the
 //! maker's manual at hand [S, one source].
 
 /// Edition that is installed on a machine.
