@@ -238,7 +238,7 @@ pub struct PostEntry {
     pub corrects_by_share: bool,
     /// Whether its programs of moves can correct a tool from the mean error of several parts.
     pub corrects_by_moves: bool,
-    /// Fields of the job's section `control` that change nothing on it.
+    /// Fields of the job's sections `control` and `machine` that change nothing on it.
     pub unused: &'static [&'static str],
     /// Usual lines of a shop for `machine.frame`, by place.
     pub usual_lines: Vec<UsualLines>,

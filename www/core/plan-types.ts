@@ -781,7 +781,7 @@ export interface PostEntry {
   correctsByShare: boolean;
   /** Whether its programs of moves can correct a tool from the mean error of several parts. */
   correctsByMoves: boolean;
-  /** Fields of the job's section `control` that change nothing on it. */
+  /** Fields of the job's sections `control` and `machine` that change nothing on it. */
   unused: string[];
   /** Usual lines of a shop for `machine.frame`, by place. */
   usualLines: UsualLines[];

@@ -111,7 +111,7 @@ pub struct Asked {
     pub limits: Limits,
     /// Number of the log.
     pub log: f64,
-    /// Number of the tool that is corrected; 0 is none.
+    /// Number of the tool to correct; 0 for none.
     pub tool: f64,
     /// Search distance past the contact.
     pub overtravel: f64,
@@ -178,7 +178,7 @@ pub enum Is {
         places: bool,
     },
     Log,
-    /// Tool that is corrected; 0 is none.
+    /// Number of the tool to correct, 0 for none.
     Tool,
     /// A choice that no job makes: 0. Any other value writes something that a job cannot ask for.
     No,

@@ -78,7 +78,7 @@ pub struct NativeCycles {
     pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
-    /// Whether they can correct a tool offset from a measured size.
+    /// How they correct a tool offset from a measured size.
     pub corrects_tools: CorrectsTools,
     /// Whether a program can measure without a write first, show the results, and then measure again and write.
     pub measures_first: bool,
