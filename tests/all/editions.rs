@@ -78,6 +78,17 @@ fn a_corrected_tool_leaves_the_position_unchecked_in_the_edition_for_mazak() {
         "G65 P9814 D25. Q2. T5. H0.5"
     );
     assert_eq!(warned(&of("unknown"), "edition-not-stated").len(), 1);
+    // The macro for the mean needs T and M in every edition.
+    let mean = r#"{ "diameter": { "tolerance": "±0.05", "wear": { "tool": 5, "parts": 3, "store": 20 } } }"#;
+    let mean = touchpath::job::from_json(mean).unwrap();
+    let averaged = with(&bore("mazak", "unknown", ""), "tolerances", mean);
+    assert!(
+        planned(&averaged)
+            .program
+            .text
+            .contains("G65 P9835 T5. M20.")
+    );
+    assert!(warned(&averaged, "edition-not-stated").is_empty());
 }
 
 /// Calibration by directions is K4 of P9801 there, P9804 elsewhere.

@@ -3,7 +3,7 @@
 use super::{Argument, CORRECTED, Call, Mark, angle, feed, length, plain};
 
 /// Letters of every measuring macro. A letter is given only if it is wanted: its presence may stop the program.
-const SHARED: [Argument; 10] = [
+const SHARED: [Argument; 11] = [
     length(
         "Q",
         "how far the touch searches behind the nominal surface, by the ball's centre; 5 mm unless it is given",
@@ -20,9 +20,10 @@ const SHARED: [Argument; 10] = [
     plain("W", "prints: 1 the next feature, 2 the next part").within(1.0, 2.0),
     plain(
         "S",
-        "work offset that is written: 1 to 6 for G54 to G59, 101 and following for G54.1 P1",
+        "work offset that is written: 1 to 6 for G54 to G59, 101 and following for G54.1 P1, on a Haas 154.01 for G154 P1",
     ),
     length("U", "error above which the program stops"),
+    plain("E", "tool offset whose value is added to the size"),
 ];
 
 const CLEARANCE: Argument = length(
@@ -304,7 +305,7 @@ const SHARED_ON_MAZAK: [Argument; 11] = [
         "work offset that is written: 1 to 6 for G54 to G59, 7 for the WPC, 101 to 400 for G54.1 P1 to P300",
     ),
     SHARED[9],
-    plain("E", "experience offset, which is added to the size"),
+    SHARED[10],
 ];
 const ON_MAZAK: &str =
     "one shop's program for this edition, written with the macros and the maker's manual";
@@ -316,14 +317,10 @@ const fn on_mazak(
     needs: &'static [&'static str],
 ) -> Call {
     Call {
-        name,
-        title,
-        arguments,
         shared: &SHARED_ON_MAZAK,
         needs,
-        excludes: &[],
-        mark: Mark::Sourced,
         source: ON_MAZAK,
+        ..measures(name, title, arguments)
     }
 }
 

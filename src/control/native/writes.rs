@@ -124,8 +124,12 @@ fn numbered(letter: &str, value: f64) -> (Option<i32>, String) {
     match whole {
         1..=6 => (Some(whole), String::new()),
         54..=59 => (Some(whole - 53), String::new()),
-        // Renishaw's macros count G54.1 P1 as 101, up to P300 on a Mazak, and G154 P1 of a Haas likewise.
-        101..=400 => (Some(6 + 1000 * (whole - 100)), String::new()),
+        // Renishaw's macros count G54.1 P1 as 101, up to P300 on a Mazak; G154 P1 of a Haas is 154.01.
+        101..=400 if value.fract() == 0.0 => (Some(6 + 1000 * (whole - 100)), String::new()),
+        154 => {
+            let number = crate::num::decimal(value.fract() * 100.0, 0);
+            (None, format!("G154 P{number}"))
+        }
         _ if value.is_nan() => (None, letter.to_owned()),
         _ => (None, format!("{letter} {}", crate::num::decimal(value, 2))),
     }

@@ -173,8 +173,10 @@ fn check_edition(request: &Request<'_>, own: &CallSequence, checker: &mut Checke
         return;
     }
     let refused = own.blocks.iter().find_map(|(block, _)| {
-        let CallBlock::Call(_, letters) = block else {
-            return None;
+        // P9835 needs T and M in every edition.
+        let letters = match block {
+            CallBlock::Call(number, letters) if *number != MEAN => letters,
+            _ => return None,
         };
         let given = |name: &str| letters.iter().any(|(letter, _)| name.starts_with(*letter));
         let mut pairs = Edition::Mazak.excludes().iter();

@@ -126,10 +126,11 @@ pub(super) fn listed(
 
 fn contradictions(call: &Call, arguments: &[NativeArgument], edition: Edition) -> Vec<String> {
     let given = |name: &str| arguments.iter().any(|argument| argument.name == name);
-    // A measuring macro of Renishaw's has both letters; elsewhere they may mean something else.
-    let own = call
-        .argument("T")
-        .is_some_and(|t| t.meaning == native::CORRECTED);
+    // A measuring macro of Renishaw's shares these letters with the others. 9835 needs T and M, and T of a rectangle is a distance.
+    let own = !call.shared.is_empty()
+        && call
+            .argument("T")
+            .is_some_and(|t| t.meaning == native::CORRECTED);
     let edition = if own { edition.excludes() } else { &[] };
     let pairs = call
         .excludes
