@@ -308,7 +308,7 @@ namespace Touchpath
         public bool CorrectsByShare { get; set; }
         /// <summary>Whether its programs of moves can correct a tool from the mean error of several parts.</summary>
         public bool CorrectsByMoves { get; set; }
-        /// <summary>Fields of the job's section `control` that change nothing on it.</summary>
+        /// <summary>Fields of the job's sections `control` and `machine` that change nothing on it.</summary>
         public string[] Unused { get; set; }
         /// <summary>Usual lines of a shop for `machine.frame`, by place.</summary>
         public UsualLines[] UsualLines { get; set; }

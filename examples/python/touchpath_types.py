@@ -299,7 +299,7 @@ class PostEntry(TypedDict):
     correctsByShare: bool
     # Whether its programs of moves can correct a tool from the mean error of several parts.
     correctsByMoves: bool
-    # Fields of the job's section `control` that change nothing on it.
+    # Fields of the job's sections `control` and `machine` that change nothing on it.
     unused: list[str]
     # Usual lines of a shop for `machine.frame`, by place.
     usualLines: list[UsualLines]
